@@ -1,0 +1,48 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mpm {
+
+/// How pressure behaves once the material is expanded (rho < rho0).
+enum class Tension {
+  polynomial,  ///< the polynomial goes on (the paper's model: no failure, separation is numerical)
+  linear,      ///< P = C mu without the energy term
+  cutoff,      ///< the polynomial, but never below minus the spall strength
+};
+
+/// The measure of plastic strain that a hardening modulus is given in.
+enum class HardeningMeasure {
+  norm,        ///< sigma_Y = sigma_Y0 + E_h ||e^p||, ||e|| = sqrt(e:e) [Xu2007, eq. 4]: H = sqrt(3/2) E_h
+  equivalent,  ///< per unit of equivalent plastic strain: H = E_h
+  tangent,     ///< uniaxial tangent modulus: H = E E_h / (E - E_h)
+};
+
+/// Everything that a scene says about its material. SI units. Plain data; kernels build their own from it.
+struct Material {
+  std::string name = "aluminium";
+  double reference_density = 0;  ///< rho0 [kg/m^3]
+  double youngs_modulus = 0;     ///< E [Pa]
+  double poissons_ratio = 0;     ///< nu [1]
+  double yield_stress = 0;       ///< sigma_Y0 [Pa]; infinite: elastic
+  double hardening_modulus = 0;  ///< [Pa], see hardening_measure
+  HardeningMeasure hardening_measure = HardeningMeasure::norm;
+  double kinematic_fraction = 0;   ///< share of the hardening that moves the yield surface, 0 ... 1 [1]
+  double bulk_sound_speed = 0;     ///< c0 of Us = c0 + lambda Up [m/s]
+  double hugoniot_slope = 0;       ///< lambda [1]
+  double gruneisen_gamma = 0;      ///< gamma0 [1]; gamma rho = gamma0 rho0
+  double specific_heat = 0;        ///< c_v [J/kg/K]
+  double initial_temperature = 0;  ///< T0 [K]
+  Tension tension = Tension::polynomial;
+  double spall_strength = 0;  ///< [Pa], positive; used by Tension::cutoff only
+
+  double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }  ///< G [Pa]
+  double hardening_per_equivalent_strain() const;                                       ///< H [Pa]
+};
+
+/// The named materials. Throws std::out_of_range for a name that is not in material_names().
+Material named_material(std::string_view name);
+std::vector<std::string> material_names();
+
+}  // namespace mpm

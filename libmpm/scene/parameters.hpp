@@ -1,0 +1,56 @@
+#pragma once
+/// The one list of everything that a scene can be told. Study files, job keys, catalog columns and messages
+/// are all made from it: a new parameter is a member of Scene and one row here.
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "libmpm/scene/scene.hpp"
+
+namespace mpm {
+
+/// The table of a study file that a parameter is written in.
+enum class Section { parameters, material, numerics, measure };
+
+/// What a number may be, by itself (find_problems knows how numbers go together).
+enum class Range { positive, non_negative, any };
+
+/// A number with a unit.
+struct Quantity {
+  std::string_view name;     ///< in study files and messages: "impact_speed"
+  std::string_view unit;     ///< SI; "1" for a pure number
+  std::string_view column;   ///< of the catalog: "impact_speed_m_s"
+  std::string_view meaning;  ///< one line, for people
+  Section section;
+  Range range;
+  bool required;                 ///< no default: a study must say it (or its alternative)
+  std::string_view alternative;  ///< another name for the same degree of freedom, or ""
+  bool (*belongs_to)(SceneKind);
+  double (*get)(const Scene&);
+  void (*set)(Scene&, double);  ///< order matters: rows are applied from the top
+};
+
+/// A choice among words.
+struct Choice {
+  std::string_view name;
+  std::string_view column;
+  std::string_view meaning;
+  Section section;
+  std::span<const std::string_view> allowed;
+  bool (*belongs_to)(SceneKind);
+  std::size_t (*get)(const Scene&);  ///< index into allowed
+  void (*set)(Scene&, std::size_t);
+};
+
+std::span<const Quantity> quantities();
+std::span<const Choice> choices();
+const Quantity* find_quantity(std::string_view name);  ///< null if there is none
+const Choice* find_choice(std::string_view name);
+
+/// Names of kinds of scene as study files write them: "cavity-impact".
+std::span<const std::string_view> scene_kind_names();
+std::string_view to_string(SceneKind);
+std::optional<SceneKind> scene_kind_from(std::string_view name);
+
+}  // namespace mpm

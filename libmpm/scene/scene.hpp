@@ -1,0 +1,75 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libmpm/material/material.hpp"
+
+namespace mpm {
+
+/// What is simulated. All scenes are plane strain, x across, y along the impact; the impact wall is y = 0 and
+/// the body moves onto it with v_y = -impact_speed. x = 0 is the mirror axis of the configuration.
+enum class SceneKind { cavity_impact, planar_impact };
+
+enum class ShapeFunction {
+  gimp,      ///< generalised interpolation, particle domains that follow the stretch
+  bspline2,  ///< quadratic B-spline
+};
+
+enum class Symmetry {
+  half,  ///< 0 <= x <= W/2 between two mirrors
+  full,  ///< -W/2 <= x <= W/2
+};
+
+struct Numerics {
+  double cell_size = 0;        ///< h [m]
+  int particles_per_cell = 1;  ///< 1, 4, 9 or 16, on a square lattice
+  ShapeFunction scheme = ShapeFunction::gimp;
+  Symmetry symmetry = Symmetry::half;
+  double cfl = 0.4;                  ///< share of h / (signal speed) that a step takes [1]
+  double linear_viscosity = 0.5;     ///< q1 [1]; see material/artificial_viscosity.hpp
+  double quadratic_viscosity = 1.5;  ///< q2 [1]
+};
+
+struct Measures {
+  double area_every = 0;          ///< period of the area history [s]
+  std::vector<double> snapshots;  ///< times at which fields are handed to the observer [s], ascending
+};
+
+/// One fully resolved run: plain data in SI units. A length or a speed that a kind of scene does not have is
+/// 0.
+struct Scene {
+  SceneKind kind = SceneKind::cavity_impact;
+  Material material;
+  double impact_speed = 0;          ///< u [m/s], > 0
+  double block_width = 0;           ///< W [m], the full width also when half of it is modelled
+  double block_height = 0;          ///< H [m]
+  double cavity_radius = 0;         ///< R [m]
+  double cavity_center_height = 0;  ///< y_c above the impact face [m]
+  double end_time = 0;              ///< [s]
+  Numerics numerics;
+  Measures measures;
+};
+
+/// The numerics that a kind of scene uses where a study says nothing (cell_size stays 0: it must be said).
+Numerics default_numerics(SceneKind);
+
+/// One thing that is wrong with a scene, in words that a user can act on.
+struct Problem {
+  std::string parameter;  ///< name of the parameter, as in parameters.hpp
+  std::string value;      ///< what it is, with its unit
+  std::string allowed;    ///< what it may be
+};
+
+/// Everything that is wrong with the scene; empty if it can be run.
+std::vector<Problem> find_problems(const Scene&);
+
+/// What a run will need, before it starts.
+struct Estimate {
+  std::int64_t particles = 0;
+  std::int64_t steps = 0;
+};
+Estimate estimate(const Scene&);
+
+}  // namespace mpm

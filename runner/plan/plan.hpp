@@ -1,0 +1,33 @@
+#pragma once
+/// What a study wants: jobs with their keys and costs. Pure: no clock, no disk.
+#include <string>
+#include <vector>
+
+#include "libmpm/scene/scene.hpp"
+#include "runner/study/study.hpp"
+
+namespace mpmstudy {
+
+/// Canonical text of everything that decides a result: one "name=value" line per parameter of the scene's
+/// kind, numbers as hexadecimal floats, in the order of libmpm/scene/parameters.hpp, and the physics version.
+std::string canonical_text(const mpm::Scene&);
+
+/// 32 hexadecimal digits: XXH3-128 of canonical_text. Same key, same result.
+std::string job_key(const mpm::Scene&);
+
+struct Job {
+  std::string key;
+  mpm::Scene scene;
+  mpm::Estimate estimate;
+  double predicted_seconds = 0;  ///< on one core of this machine
+};
+
+struct Plan {
+  std::string study;
+  std::vector<Job> jobs;  ///< order of the sweep, equal keys only once
+};
+
+/// updates_per_second: particle updates a second and core that the prediction assumes.
+Plan make_plan(const Study&, double updates_per_second);
+
+}  // namespace mpmstudy

@@ -1,0 +1,57 @@
+#pragma once
+/// A study file, read, checked and expanded. Pure: reads one file, touches nothing else.
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libmpm/scene/scene.hpp"
+
+namespace mpmstudy {
+
+/// A fit that the study asks for: y = c0 + c1 x + c2 x^2 for "quadratic".
+struct FitRequest {
+  std::string x;      ///< a swept quantity, e.g. "cavity_radius"
+  std::string y;      ///< a result column, e.g. "collapsibility"
+  std::string model;  ///< "linear", "quadratic"
+};
+
+/// A figure that the study asks for ([[figure]]).
+struct FigureRequest {
+  std::string name;  ///< file stem, e.g. "fig8a"
+  std::string title;
+  std::string kind;  ///< "history" (area against time), "xy" (result against parameter, with its fit),
+                     ///< "fields" (one panel a snapshot)
+  std::string x;     ///< xy: a quantity
+  std::string y;     ///< xy: a result column; fields: "pressure", "plastic_work", ...
+};
+
+/// Bad input. what() is "file:line:column: key = value: what is wrong; what is allowed". Exit code 2.
+class StudyError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Study {
+  std::filesystem::path path;
+  std::string name;
+  std::string title;
+  mpm::SceneKind kind{};
+  std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
+  std::vector<mpm::Scene> scenes;  ///< one per job, in the order of the sweep, every one without problems
+  std::vector<FitRequest> fits;
+  std::vector<FigureRequest> figures;
+};
+
+struct ReadOptions {
+  std::vector<std::pair<std::string, std::string>> set;  ///< --set key=value, over the file
+  std::uint64_t most_jobs = 1'000'000;                   ///< more is a StudyError that names --yes
+};
+
+/// Throws StudyError; collects every problem of the file into one message, a line each.
+Study read_study(const std::filesystem::path&, const ReadOptions& = {});
+
+}  // namespace mpmstudy
