@@ -1,0 +1,17 @@
+# Installs the build into an empty prefix, builds a project that only knows the prefix, and runs it.
+file(REMOVE_RECURSE ${WORK})
+function(run_or_fail)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\n${out}")
+  endif()
+  message(STATUS "${out}")
+endfunction()
+if(FLAGS)
+  set(sanitize "-DCMAKE_CXX_FLAGS=-fsanitize=${FLAGS}")
+endif()
+run_or_fail(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run_or_fail(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix
+            -DEXAMPLE=${EXAMPLE} ${sanitize})
+run_or_fail(${CMAKE_COMMAND} --build ${WORK}/build)
+run_or_fail(${WORK}/build/consumer)

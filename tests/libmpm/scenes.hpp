@@ -1,0 +1,45 @@
+#pragma once
+#include "libmpm/mpm.hpp"
+
+/// Scenes that several tests share. Small: a run takes well under a second.
+namespace scenes {
+
+inline mpm::Scene cavity(double cell_size) {
+  mpm::Scene s;
+  s.kind = mpm::SceneKind::cavity_impact;
+  s.material = mpm::named_material("aluminium");
+  s.impact_speed = 200;
+  s.block_width = 10e-6;
+  s.block_height = 5e-6;
+  s.cavity_radius = 1.5e-6;
+  s.cavity_center_height = 1.9e-6;
+  s.end_time = 1e-9;
+  s.numerics = mpm::default_numerics(s.kind);
+  s.numerics.cell_size = cell_size;
+  s.measures.area_every = 0.05e-9;
+  return s;
+}
+
+/// A column of a block, eight cells wide in full.
+inline mpm::Scene planar(double impact_speed, double height, double cell_size, double end_time) {
+  mpm::Scene s;
+  s.kind = mpm::SceneKind::planar_impact;
+  s.material = mpm::named_material("aluminium");
+  s.impact_speed = impact_speed;
+  s.block_width = 8 * cell_size;
+  s.block_height = height;
+  s.end_time = end_time;
+  s.numerics = mpm::default_numerics(s.kind);
+  s.numerics.cell_size = cell_size;
+  s.measures.area_every = end_time / 20;
+  return s;
+}
+
+/// Value of a metric; NaN if the run has none of that name.
+inline double metric(const mpm::RunResult& r, std::string_view name) {
+  for (const mpm::Metric& m : r.metrics)
+    if (m.name == name) return m.value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace scenes
