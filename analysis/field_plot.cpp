@@ -1,0 +1,168 @@
+#include "analysis/field_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "analysis/gnuplot.hpp"
+
+namespace analysis {
+namespace {
+
+/// Room around and between panels, in points; panel images have `pixels_per_point` pixels a point.
+constexpr double left = 66, right = 100, top = 50, bottom = 76, gap_x = 18, gap_y = 30;
+constexpr double figure_width = 900;
+constexpr double pixels_per_point = 2;
+
+/// Of matplotlib's viridis (CC0), every eighth of the way.
+constexpr std::string_view viridis =
+    "(0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', 7 "
+    "'#addc30', "
+    "8 '#fde725')";
+constexpr std::string_view grey = "(0 '#000000', 1 '#e8e8e8')";
+
+void check(const FieldPlot& plot) {
+  bool something = false;
+  for (const FieldPanel& panel : plot.panels) {
+    const Particles& p = panel.particles;
+    if (p.y.size() != p.x.size() || p.size.size() != p.x.size() || p.value.size() != p.x.size())
+      throw std::invalid_argument("figure '" + plot.title + "': columns of panel '" + panel.title +
+                                  "' have unequal lengths");
+    something = something || !p.x.empty();
+  }
+  if (!something) throw std::invalid_argument("figure '" + plot.title + "': there is nothing to draw");
+}
+
+/// What all but 1 % of the particles of all panels lie in; from zero where no value is negative.
+std::pair<double, double> colour_range(const FieldPlot& plot) {
+  if (plot.range) return *plot.range;
+  std::vector<double> values;
+  for (const FieldPanel& panel : plot.panels)
+    std::ranges::copy_if(panel.particles.value, std::back_inserter(values),
+                         [](double v) { return std::isfinite(v); });
+  if (values.empty()) return {0, 1};
+  std::ranges::sort(values);
+  const std::size_t cut = values.size() / 200;
+  double low = values[cut], high = values[values.size() - 1 - cut];
+  // Fields like pressure are near zero where nothing has happened: begin there, not at the noise.
+  if (low > 0 && low < 0.2 * high) low = 0;
+  if (!(high > low)) high = low + std::max(std::abs(low), 1e-300);
+  return {low, high};
+}
+
+/// Where the panels go; points from the upper left corner of the figure.
+struct Layout {
+  int columns, rows;
+  double panel_width, panel_height;
+  FigureSize figure;
+
+  double x(int column) const { return left + column * (panel_width + gap_x); }
+  double y(int row) const { return top + gap_y + row * (panel_height + gap_y); }
+};
+
+Layout layout_of(std::size_t panels, const Window& window) {
+  Layout l{};
+  const int count = static_cast<int>(panels);
+  l.columns = count <= 3 ? count : count == 4 ? 2 : 3;
+  l.rows = (count + l.columns - 1) / l.columns;
+  l.panel_width = (figure_width - left - right - (l.columns - 1) * gap_x) / l.columns;
+  l.panel_height = l.panel_width * window.height() / window.width();
+  // A tall or lone panel is held to the height of a page.
+  constexpr double most = 560;
+  if (l.panel_height > most / std::min(l.rows, 2)) {
+    l.panel_height = most / std::min(l.rows, 2);
+    l.panel_width = l.panel_height * window.width() / window.height();
+  }
+  l.figure.width = static_cast<int>(std::ceil(l.x(l.columns - 1) + l.panel_width + right));
+  l.figure.height = static_cast<int>(std::ceil(l.y(l.rows - 1) + l.panel_height + bottom));
+  return l;
+}
+
+/// Pixels in the units of the colour bar, as gnuplot's binary array.
+std::string bytes_of(Raster raster, double factor) {
+  for (float& v : raster.values) v = static_cast<float>(v * factor);
+  return {reinterpret_cast<const char*>(raster.values.data()), raster.values.size() * sizeof(float)};
+}
+
+std::string panel_script(const FieldPlot& plot, const Layout& l, const Window& w, const DisplayUnit& length,
+                         const Raster& raster, std::size_t i) {
+  const int column = static_cast<int>(i) % l.columns, row = static_cast<int>(i) / l.columns;
+  const double width = l.figure.width, height = l.figure.height;
+  const bool lowest = i + static_cast<std::size_t>(l.columns) >= plot.panels.size();
+  std::string text = fmt::format(
+      "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen "
+      "{}\n",
+      l.x(column) / width, (l.x(column) + l.panel_width) / width, 1 - l.y(row) / height,
+      1 - (l.y(row) + l.panel_height) / height);
+  text += fmt::format("set title {} offset 0,-0.6 font ',10.5'\n", gnuplot_text(plot.panels[i].title));
+  text += lowest ? fmt::format("set format x '%g'\nset xlabel {} offset 0,0.3\n",
+                               gnuplot_text(fmt::format("x ({})", length.text)))
+                 : "set format x ''\nunset xlabel\n";
+  text += column == 0 ? fmt::format("set format y '%g'\nset ylabel {} offset -0.5,0\n",
+                                    gnuplot_text(fmt::format("y ({})", length.text)))
+                      : "set format y ''\nunset ylabel\n";
+  const double dx = w.width() / raster.columns, dy = w.height() / raster.rows;
+  text += fmt::format(
+      "plot 'panel{}.bin' binary array=({},{}) format='%float' dx={:.9g} dy={:.9g} origin=({:.9g},{:.9g}) "
+      "with image notitle\n",
+      i, raster.columns, raster.rows, dx * length.factor, dy * length.factor,
+      (w.x_min + dx / 2) * length.factor, (w.y_min + dy / 2) * length.factor);
+  return text;
+}
+
+std::string frame_script(const FieldPlot& plot, const Layout& l, const Window& w, const DisplayUnit& length,
+                         const DisplayUnit& value, std::pair<double, double> range) {
+  const double width = l.figure.width, height = l.figure.height;
+  const double bar_x = (l.x(l.columns - 1) + l.panel_width + 16) / width;
+  const double bar_low = 1 - (l.y(l.rows - 1) + l.panel_height) / height, bar_high = 1 - l.y(0) / height;
+  std::string text = fmt::format("set palette defined {}\n", plot.palette == Palette::grey ? grey : viridis);
+  text +=
+      fmt::format("set cbrange [{:.6g}:{:.6g}]\n", range.first * value.factor, range.second * value.factor);
+  text += fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n", w.x_min * length.factor,
+                      w.x_max * length.factor, w.y_min * length.factor, w.y_max * length.factor);
+  text +=
+      "set border 15 lw 0.8 lc rgb '#333333'\nset tics out nomirror scale 0.5 font ',9.5' tc rgb "
+      "'#222222'\nunset key\n";
+  text += fmt::format("set colorbox user origin {},{} size {},{} border\n", bar_x, bar_low, 13 / width,
+                      bar_high - bar_low);
+  text += fmt::format("set format cb '%g'\nset cblabel {} offset 0.5,0\n",
+                      gnuplot_text(axis_label(plot.value, value)));
+  text += fmt::format("set label 1 {} at screen 0.5, screen {} center font ',14'\n", gnuplot_text(plot.title),
+                      1 - 28 / height);
+  if (!plot.footer.empty())
+    text += fmt::format("set label 2 {} at screen {}, screen {} right font ',7.5' tc rgb '#888888'\n",
+                        gnuplot_text(plot.footer), 1 - 12 / width, 11 / height);
+  return text;
+}
+
+}  // namespace
+
+void draw(const FieldPlot& plot, const std::filesystem::path& stem) {
+  check(plot);
+  std::vector<const Particles*> snapshots;
+  for (const FieldPanel& panel : plot.panels)
+    if (!panel.particles.x.empty()) snapshots.push_back(&panel.particles);
+  const Window window = plot.window ? *plot.window : window_of(snapshots, plot.mirrored);
+  const auto range = colour_range(plot);
+  const DisplayUnit length = display_unit("m", std::max(window.width(), window.height()));
+  const DisplayUnit value =
+      display_unit(plot.value.unit, std::max(std::abs(range.first), std::abs(range.second)));
+  const Layout layout = layout_of(plot.panels.size(), window);
+  const int columns = std::max(1, static_cast<int>(std::lround(layout.panel_width * pixels_per_point)));
+  const int rows = std::max(1, static_cast<int>(std::lround(layout.panel_height * pixels_per_point)));
+
+  const FigureFolder folder(stem);
+  std::string script = frame_script(plot, layout, window, length, value, range) + "set multiplot\n";
+  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
+    const Raster raster = rasterise(plot.panels[i].particles, plot.mirrored, window, columns, rows);
+    folder.write(fmt::format("panel{}.bin", i), bytes_of(raster, value.factor));
+    script += panel_script(plot, layout, window, length, raster, i);
+    if (i == 0) script += "unset label\nunset colorbox\n";  // they belong to the figure: once is enough
+  }
+  run_gnuplot(folder, script + "unset multiplot\n", layout.figure, stem);
+}
+
+}  // namespace analysis

@@ -1,0 +1,41 @@
+#pragma once
+/// Snapshots of particles side by side, with one scale of colours.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/raster.hpp"
+#include "analysis/units.hpp"
+
+namespace analysis {
+
+enum class Palette {
+  viridis,  ///< perceptually uniform, safe for colour-blind readers
+  grey,     ///< as in the paper: from black (least) to near white (most)
+};
+
+struct FieldPanel {
+  std::string title;  ///< "t = 1.62 ns": value_label(named_quantity("time"), 1.62e-9)
+  Particles particles;
+};
+
+struct FieldPlot {
+  std::string title;
+  std::string footer;
+  Quantity value;         ///< of Particles::value
+  bool mirrored = false;  ///< x >= 0 was modelled: show the other half too
+  Palette palette = Palette::viridis;
+  std::vector<FieldPanel> panels;
+  std::optional<Window> window;  ///< what every panel shows; else window_of() them all
+  std::optional<std::pair<double, double>>
+      range;  ///< of the colours, SI; else what 99 % of all particles lie in
+};
+
+/// Writes stem.png and stem.svg: one panel a snapshot, up to three in a row, all of one scale of length (both
+/// axes alike) and colour. Throws std::invalid_argument where there is nothing to draw or columns have
+/// unequal lengths, std::runtime_error where gnuplot or the disk fails.
+void draw(const FieldPlot&, const std::filesystem::path& stem);
+
+}  // namespace analysis

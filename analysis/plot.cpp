@@ -1,0 +1,228 @@
+#include "analysis/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "analysis/gnuplot.hpp"
+
+namespace analysis {
+namespace {
+
+/// Okabe & Ito's colours without yellow, which is faint on white; told apart by every kind of colour vision.
+constexpr std::array<std::string_view, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                     "#56b4e9", "#e69f00", "#000000"};
+/// Filled circle, square, triangle, diamond ...: told apart without colour.
+constexpr std::array<int, 6> marks = {7, 5, 9, 13, 11, 15};
+constexpr int marks_on_a_curve = 9;
+constexpr int fit_samples = 200;
+
+constexpr FigureSize figure_size{900, 600};
+
+std::string_view colour(std::size_t i) { return colours[i % colours.size()]; }
+int mark(std::size_t i) { return marks[i % marks.size()]; }
+/// Solid first; dashes once the colours have all been used.
+int dash(std::size_t i) { return 1 + static_cast<int>(i / colours.size()); }
+
+double largest(const std::vector<Series>& all, std::vector<double> Series::*column) {
+  double result = 0;
+  for (const Series& series : all)
+    for (const double value : series.*column)
+      if (std::isfinite(value)) result = std::max(result, std::abs(value));
+  return result;
+}
+
+bool is_drawn(const Series& s, std::size_t i) { return std::isfinite(s.x[i]) && std::isfinite(s.y[i]); }
+
+void check(const Plot& plot) {
+  bool something = false;
+  for (const Series& s : plot.series) {
+    if (s.x.size() != s.y.size() || (!s.y_error.empty() && s.y_error.size() != s.y.size()))
+      throw std::invalid_argument("figure '" + plot.title + "': x, y and y_error of '" + s.label +
+                                  "' have unequal lengths");
+    for (std::size_t i = 0; i < s.x.size(); ++i) something = something || is_drawn(s, i);
+  }
+  if (!something) throw std::invalid_argument("figure '" + plot.title + "': there is nothing to draw");
+}
+
+/// x, y, error in the units of the axes, a row a point.
+std::string rows_of(const Series& s, const DisplayUnit& x, const DisplayUnit& y) {
+  std::string rows;
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    if (!is_drawn(s, i)) continue;
+    const double error = s.y_error.empty() || !std::isfinite(s.y_error[i]) ? 0 : s.y_error[i];
+    rows += fmt::format("{:.9g} {:.9g} {:.9g}\n", s.x[i] * x.factor, s.y[i] * y.factor, error * y.factor);
+  }
+  return rows;
+}
+
+/// x, y, low, high of the fit; low = high = y where its errors are unknown.
+std::string rows_of(const Fit& fit, const DisplayUnit& x, const DisplayUnit& y) {
+  std::string rows;
+  const double margin = 0.03 * (fit.x_max - fit.x_min);
+  for (int i = 0; i <= fit_samples; ++i) {
+    const double at = fit.x_min - margin + (fit.x_max - fit.x_min + 2 * margin) * i / fit_samples;
+    const double value = fit(at), half = fit.band(at).value_or(0);
+    rows += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", at * x.factor, value * y.factor,
+                        (value - half) * y.factor, (value + half) * y.factor);
+  }
+  return rows;
+}
+
+std::string file_of(std::size_t i) { return fmt::format("'series{}.dat'", i); }
+
+std::string history_clauses(const Plot& plot) {
+  std::string clauses;
+  for (std::size_t i = 0; i < plot.series.size(); ++i)
+    if (!plot.series[i].y_error.empty())
+      clauses += fmt::format(
+          "{} using 1:($2-$3):($2+$3) with filledcurves lc rgb '{}' fs transparent solid 0.18 notitle, ",
+          file_of(i), colour(i));
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& s = plot.series[i];
+    // A mark now and then, each curve at its own places, so that curves can be told apart in grey.
+    const auto every = std::max<std::size_t>(1, s.x.size() / marks_on_a_curve);
+    clauses +=
+        fmt::format("{} using 1:2 every {}::{} with points pt {} ps 0.9 lc rgb '{}' notitle, ", file_of(i),
+                    every, (i * every) / std::max<std::size_t>(1, plot.series.size()), mark(i), colour(i));
+    clauses += fmt::format("{} using 1:2 with lines lw 1.8 dt {} lc rgb '{}' notitle, ", file_of(i), dash(i),
+                           colour(i));
+    if (!s.label.empty())
+      clauses += fmt::format("keyentry with linespoints lw 1.8 dt {} pt {} ps 0.9 lc rgb '{}' title {}, ",
+                             dash(i), mark(i), colour(i), gnuplot_text(s.label));
+  }
+  return clauses;
+}
+
+std::string xy_clauses(const Plot& plot, bool several) {
+  std::string clauses;
+  if (plot.fit && plot.fit->ok()) {
+    if (!plot.fit->standard_errors.empty())
+      clauses +=
+          "'fit.dat' using 1:3:4 with filledcurves lc rgb '#999999' fs transparent solid 0.25 title '95 % "
+          "band', ";
+    clauses += fmt::format("'fit.dat' using 1:2 with lines lw 1.8 lc rgb '#555555' title {}, ",
+                           gnuplot_text(std::string(name(plot.fit->model)) + " fit"));
+  }
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& s = plot.series[i];
+    const std::string title = s.label.empty() ? "notitle" : "title " + gnuplot_text(s.label);
+    if (several)
+      clauses +=
+          fmt::format("{} using 1:2 with lines lw 1 dt 3 lc rgb '{}' notitle, ", file_of(i), colour(i));
+    clauses += fmt::format("{} using {} pt {} ps 1.1 lw 1.4 lc rgb '{}' {}, ", file_of(i),
+                           s.y_error.empty() ? "1:2 with points" : "1:2:3 with yerrorbars", mark(i),
+                           colour(i), title);
+  }
+  return clauses;
+}
+
+/// Room around the data so that no point lies on the frame.
+std::string ranges(const Plot& plot) {
+  std::string text = plot.kind == Plot::Kind::history
+                         ? "set offsets 0, 0, graph 0.05, graph 0.02\n"
+                         : "set offsets graph 0.04, graph 0.04, graph 0.06, graph 0.06\n";
+  if (plot.y_from_zero) text += "set yrange [0:*]\n";
+  return text;
+}
+
+std::string caption_of(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y) {
+  if (!plot.fit) return {};
+  if (!plot.fit->ok()) return "no fit: " + plot.fit->problem;
+  return fit_caption(*plot.fit, plot.x, x, plot.y, y);
+}
+
+std::size_t characters(std::string_view utf8) {
+  return static_cast<std::size_t>(std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// Share of the figure's width that the legend at the side takes: its lines, and 7.2 points a character.
+double legend_width(const Plot& plot) {
+  std::size_t longest = 0;
+  for (const Series& s : plot.series) longest = std::max(longest, characters(s.label));
+  if (longest == 0) return 0.02;
+  return std::min(0.45, (74 + 7.2 * static_cast<double>(longest)) / figure_size.width);
+}
+
+std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y) {
+  const bool history = plot.kind == Plot::Kind::history;
+  const std::string caption = caption_of(plot, x, y);
+  std::string text;
+  text +=
+      fmt::format("set label 1 {} at screen 0.5, screen 0.955 center font ',14'\n", gnuplot_text(plot.title));
+  if (!caption.empty())
+    text += fmt::format("set label 2 {} at screen 0.5, screen 0.9 center font ',10' tc rgb '#444444'\n",
+                        gnuplot_text(caption));
+  if (!plot.footer.empty())
+    text += fmt::format("set label 3 {} at screen 0.985, screen 0.018 right font ',7.5' tc rgb '#888888'\n",
+                        gnuplot_text(plot.footer));
+  text += fmt::format("set xlabel {} offset 0,-0.3\nset ylabel {} offset -1,0\n",
+                      gnuplot_text(axis_label(plot.x, x)), gnuplot_text(axis_label(plot.y, y)));
+  text += "set border 3 lw 1 lc rgb '#333333'\nset tics nomirror out scale 0.7 tc rgb '#222222'\n";
+  text += "set grid xtics ytics lt 1 lw 0.5 lc rgb '#dddddd'\nset format '%g'\n";
+  text += "set lmargin at screen 0.105\nset bmargin at screen 0.135\n";
+  if (history) {
+    const double right = 0.985 - legend_width(plot);
+    text += fmt::format("set tmargin at screen {}\nset rmargin at screen {}\n",
+                        caption.empty() ? 0.915 : 0.87, right);
+    text += fmt::format("set key at screen {}, graph 1 left top Left reverse samplen 2.5 spacing 1.25\n",
+                        right + 0.01);
+  } else {
+    const double top = caption.empty() ? 0.86 : 0.815;
+    text += fmt::format("set tmargin at screen {}\nset rmargin at screen 0.965\n", top);
+    text += fmt::format(
+        "set key at screen 0.535, screen {} center center horizontal Left reverse samplen 2\n", top + 0.04);
+  }
+  text += ranges(plot);
+  std::string clauses =
+      history ? history_clauses(plot) : xy_clauses(plot, plot.series.size() > 1 && !plot.fit);
+  clauses.resize(clauses.size() - 2);
+  return text + "plot " + clauses + "\n";
+}
+
+/// A number and its standard error, to two digits of the error.
+std::string with_error(double value, std::optional<double> error) {
+  if (!error || !(*error > 0)) return fmt::format("{:.4g}", value);
+  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(*error))));
+  if (decimals > 6) return fmt::format("({:.4g} ± {:.2g})", value, *error);
+  return fmt::format("({:.{}f} ± {:.{}f})", value, decimals, *error, decimals);
+}
+
+}  // namespace
+
+std::string fit_caption(const Fit& fit, const Quantity& x, const DisplayUnit& x_unit, const Quantity& y,
+                        const DisplayUnit& y_unit) {
+  const auto symbol = [](const Quantity& q) { return q.symbol.empty() ? q.name : q.symbol; };
+  constexpr std::array<const char*, 3> powers = {"", "", "²"};
+  std::string text = symbol(y) + " =";
+  for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
+    const double factor = y_unit.factor / std::pow(x_unit.factor, static_cast<double>(k));
+    const double value = fit.coefficients[k] * factor;
+    std::optional<double> error;
+    if (!fit.standard_errors.empty()) error = fit.standard_errors[k] * factor;
+    text += value < 0 ? " − " : k > 0 ? " + " : " ";
+    text += with_error(std::abs(value), error);
+    if (k > 0) text += fmt::format(" {}{}", symbol(x), powers[k]);
+  }
+  if (!x_unit.text.empty()) text += fmt::format(";  {} in {}", symbol(x), x_unit.text);
+  if (!y_unit.text.empty()) text += fmt::format(", {} in {}", symbol(y), y_unit.text);
+  if (fit.r2) text += fmt::format(";  r² = {:.4f}", *fit.r2);
+  return text;
+}
+
+void draw(const Plot& plot, const std::filesystem::path& stem) {
+  check(plot);
+  const DisplayUnit x = display_unit(plot.x.unit, largest(plot.series, &Series::x));
+  const DisplayUnit y = display_unit(plot.y.unit, largest(plot.series, &Series::y));
+  const FigureFolder folder(stem);
+  for (std::size_t i = 0; i < plot.series.size(); ++i)
+    folder.write(fmt::format("series{}.dat", i), rows_of(plot.series[i], x, y));
+  if (plot.fit && plot.fit->ok()) folder.write("fit.dat", rows_of(*plot.fit, x, y));
+  run_gnuplot(folder, script(plot, x, y), figure_size, stem);
+}
+
+}  // namespace analysis

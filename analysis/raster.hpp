@@ -1,0 +1,35 @@
+#pragma once
+/// Particles as squares of colour on a grid of pixels: an image that stays small however many there are.
+#include <vector>
+
+namespace analysis {
+
+struct Window {
+  double x_min = 0, x_max = 0, y_min = 0, y_max = 0;  ///< [m]
+  double width() const { return x_max - x_min; }
+  double height() const { return y_max - y_min; }
+};
+
+/// One snapshot: columns of one length, SI.
+struct Particles {
+  std::vector<double> x, y;   ///< centres [m]
+  std::vector<double> size;   ///< side of the square that it fills, e.g. sqrt(mass / density) [m]
+  std::vector<double> value;  ///< what is coloured
+};
+
+/// Values by rows from the bottom, from left to right. A pixel that no particle covers is a nan.
+struct Raster {
+  int columns = 0, rows = 0;
+  std::vector<float> values;
+};
+
+/// Every pixel takes the value of the particle with the nearest centre among those whose square, enlarged by
+/// `overlap`, covers it (stretched material shows no gaps, open cavities stay open). With `mirrored`, each
+/// particle is drawn at -x as well. Non-finite particles are left out. Independent of the order of particles,
+/// ties aside.
+Raster rasterise(const Particles&, bool mirrored, const Window&, int columns, int rows, double overlap = 1.4);
+
+/// Where nearly all particles of these snapshots are (all but one in a thousand at each side), with a margin.
+Window window_of(const std::vector<const Particles*>&, bool mirrored);
+
+}  // namespace analysis

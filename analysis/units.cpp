@@ -1,0 +1,117 @@
+#include "analysis/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace analysis {
+namespace {
+
+struct Scale {
+  std::string_view si, text;
+  double size;  ///< in SI
+};
+
+/// For each SI unit from the largest to the smallest.
+constexpr std::array scales = {
+    Scale{"m", "m", 1},           Scale{"m", "mm", 1e-3},
+    Scale{"m", "µm", 1e-6},       Scale{"m", "nm", 1e-9},
+    Scale{"m^2", "m²", 1},        Scale{"m^2", "mm²", 1e-6},
+    Scale{"m^2", "µm²", 1e-12},   Scale{"s", "s", 1},
+    Scale{"s", "ms", 1e-3},       Scale{"s", "µs", 1e-6},
+    Scale{"s", "ns", 1e-9},       Scale{"s", "ps", 1e-12},
+    Scale{"m/s", "km/s", 1e3},    Scale{"m/s", "m/s", 1},
+    Scale{"Pa", "GPa", 1e9},      Scale{"Pa", "MPa", 1e6},
+    Scale{"Pa", "kPa", 1e3},      Scale{"Pa", "Pa", 1},
+    Scale{"J/m^3", "GJ/m³", 1e9}, Scale{"J/m^3", "MJ/m³", 1e6},
+    Scale{"J/m^3", "kJ/m³", 1e3}, Scale{"J/kg", "MJ/kg", 1e6},
+    Scale{"J/kg", "kJ/kg", 1e3},  Scale{"J/kg", "J/kg", 1},
+    Scale{"kg/m^3", "kg/m³", 1},  Scale{"kg/m", "µg/m", 1e-9},
+    Scale{"K", "K", 1},           Scale{"1", "", 1},
+};
+
+struct Named {
+  std::string_view key, name, symbol, unit;
+};
+
+constexpr std::array names = {
+    Named{"time", "Time", "t", "s"},
+    Named{"impact_speed", "Impact speed", "u", "m/s"},
+    Named{"wall_thickness", "Downstream wall thickness", "d", "m"},
+    Named{"cavity_radius", "Cavity radius", "R", "m"},
+    Named{"cavity_center_height", "Height of the cavity centre", "y", "m"},
+    Named{"block_height", "Block height", "H", "m"},
+    Named{"block_width", "Block width", "W", "m"},
+    Named{"inner_radius", "Inner radius", "a", "m"},
+    Named{"outer_radius", "Outer radius", "b", "m"},
+    Named{"inner_speed", "Inner speed", "u", "m/s"},
+    Named{"yield_stress", "Yield stress", "Y", "Pa"},
+    Named{"hardening_modulus", "Hardening modulus", "E", "Pa"},
+    Named{"cell_size", "Cell size", "h", "m"},
+    Named{"end_time", "End time", "t", "s"},
+    Named{"collapsibility", "Collapsibility", "Φ", "1"},
+    Named{"area", "Cavity area", "A", "m^2"},
+    Named{"void_area", "Void area", "A", "m^2"},
+    Named{"initial_area", "Initial cavity area", "A", "m^2"},
+    Named{"final_area", "Final cavity area", "A", "m^2"},
+    Named{"energy_error", "Energy error", "", "1"},
+    Named{"pressure", "Pressure", "P", "Pa"},
+    Named{"von_mises", "Von Mises stress", "q", "Pa"},
+    Named{"stress_xx", "Stress xx", "", "Pa"},
+    Named{"stress_yy", "Stress yy", "", "Pa"},
+    Named{"stress_xy", "Shear stress xy", "", "Pa"},
+    Named{"stress_zz", "Stress zz", "", "Pa"},
+    Named{"density", "Density", "ρ", "kg/m^3"},
+    Named{"velocity_x", "Velocity along x", "", "m/s"},
+    Named{"velocity_y", "Velocity along y", "", "m/s"},
+    Named{"equivalent_plastic_strain", "Equivalent plastic strain", "", "1"},
+    Named{"plastic_work", "Plastic work", "", "J/m^3"},
+    Named{"specific_internal_energy", "Specific internal energy", "e", "J/kg"},
+    Named{"temperature", "Temperature", "T", "K"},
+    Named{"jet_speed", "Jet speed", "", "m/s"},
+    Named{"hot_spot_work", "Plastic work of the hot spot", "", "J/m^3"},
+    Named{"aspect_ratio", "Width over height of the cavity", "", "1"},
+    Named{"lower_upper_area_ratio", "Cavity area below over above its centre", "", "1"},
+};
+
+}  // namespace
+
+Quantity named_quantity(std::string_view name, std::string_view unit_if_unknown) {
+  const auto known = std::ranges::find(names, name, &Named::key);
+  if (known != names.end())
+    return {std::string(known->name), std::string(known->symbol), std::string(known->unit)};
+  std::string words(name);
+  std::ranges::replace(words, '_', ' ');
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
+    words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return {words, "", std::string(unit_if_unknown)};
+}
+
+DisplayUnit display_unit(std::string_view si_unit, double largest) {
+  const Scale* best = nullptr;
+  for (const Scale& scale : scales) {
+    if (scale.si != si_unit) continue;
+    best = &scale;
+    if (std::abs(largest) >= 0.5 * scale.size) break;
+  }
+  if (!best) return {1, std::string(si_unit)};
+  return {1 / best->size, std::string(best->text)};
+}
+
+std::string axis_label(const Quantity& quantity, const DisplayUnit& unit) {
+  std::string label = quantity.name;
+  if (!quantity.symbol.empty()) label += " " + quantity.symbol;
+  if (!unit.text.empty()) label += " (" + unit.text + ")";
+  return label;
+}
+
+std::string value_label(const Quantity& quantity, double si_value) {
+  const DisplayUnit unit = display_unit(quantity.unit, si_value);
+  const std::string& name = quantity.symbol.empty() ? quantity.name : quantity.symbol;
+  return fmt::format("{} = {:.4g}{}{}", name, si_value * unit.factor, unit.text.empty() ? "" : " ",
+                     unit.text);
+}
+
+}  // namespace analysis

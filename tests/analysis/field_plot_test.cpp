@@ -1,0 +1,103 @@
+#include "analysis/field_plot.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "temporary_folder.hpp"
+
+namespace {
+
+using namespace analysis;
+using testing::HasSubstr;
+
+class FieldPlotTest : public TemporaryFolderTest {};
+
+/// Half a block of 2 x 2 around a round hole at the origin, x >= 0; value y.
+Particles make_block(double spacing, double hole) {
+  Particles p;
+  for (double x = spacing / 2; x < 1; x += spacing)
+    for (double y = -1 + spacing / 2; y < 1; y += spacing) {
+      if (std::hypot(x, y) < hole) continue;
+      p.x.push_back(x);
+      p.y.push_back(y);
+      p.size.push_back(spacing);
+      p.value.push_back(y);
+    }
+  return p;
+}
+
+TEST(Raster, KeepsAreaOfTheHoleAndMirrors) {
+  const Raster raster = rasterise(make_block(0.02, 0.5), true, {-1, 1, -1, 1}, 400, 400, 1.0);
+  int empty = 0;
+  for (const float v : raster.values) empty += std::isnan(v);
+  EXPECT_NEAR(4.0 * empty / 160000, std::numbers::pi * 0.25, 0.02);
+  for (int j = 0; j < 400; ++j)
+    for (int i = 0; i < 200; ++i) {
+      const float left = raster.values[j * 400 + i], right = raster.values[j * 400 + 399 - i];
+      EXPECT_TRUE(left == right || (std::isnan(left) && std::isnan(right)));
+    }
+  EXPECT_NEAR(raster.values[0], -0.99, 1e-6) << "the first row is the lowest";
+}
+
+TEST(Raster, AParticleSmallerThanAPixelIsSeen) {
+  const Raster raster = rasterise({{0.31}, {0.52}, {1e-9}, {7}}, false, {0, 1, 0, 1}, 10, 10);
+  EXPECT_EQ(raster.values[5 * 10 + 3], 7);
+}
+
+TEST(Raster, WhatIsOutsideOrNotANumberIsLeftOut) {
+  const double nan = std::nan("");
+  const Particles p{{5, nan, 0.5}, {5, 0.5, 0.5}, {0.1, 0.1, 0.1}, {1, 1, nan}};
+  for (const float v : rasterise(p, true, {0, 1, 0, 1}, 10, 10).values) EXPECT_TRUE(std::isnan(v));
+}
+
+TEST(Raster, WindowLeavesAStrayParticleOut) {
+  Particles p = make_block(0.02, 0.5);
+  p.x.push_back(0.1), p.y.push_back(1000), p.size.push_back(0.02), p.value.push_back(0);
+  const Window w = window_of({&p}, true);
+  EXPECT_LT(w.y_max, 1.2);
+  EXPECT_EQ(w.x_min, -w.x_max);
+  EXPECT_GT(w.x_max, 0.99);
+}
+
+TEST_F(FieldPlotTest, PanelsTitlesUnitsAndSize) {
+  FieldPlot plot;
+  plot.title = "Pressure";
+  plot.footer = "physics version 1";
+  plot.value = named_quantity("pressure");
+  plot.mirrored = true;
+  for (const double t : {1.0e-9, 1.62e-9, 2.2e-9, 16e-9}) {
+    FieldPanel panel{value_label(named_quantity("time"), t), make_block(0.05, 0.5)};
+    for (auto column : {&Particles::x, &Particles::y, &Particles::size})
+      for (double& v : panel.particles.*column) v *= 5e-6;
+    for (double& v : panel.particles.value) v *= 3e9;
+    plot.panels.push_back(panel);
+  }
+  draw(plot, folder_ / "f");
+  const std::string svg = read("f.svg");
+  for (const char* text : {"t = 1 ns", "t = 1.62 ns", "t = 2.2 ns", "t = 16 ns", "x (µm)", "y (µm)",
+                           "Pressure P (GPa)", "physics version 1"})
+    EXPECT_THAT(svg, HasSubstr(text));
+  EXPECT_EQ(count(svg, "<image "), 4);
+  EXPECT_EQ(count(svg, "Pressure P (GPa)"), 1) << "one colour bar";
+  EXPECT_LT(svg.size(), 1000000u);
+  const auto [width, height] = png_size(read("f.png"));
+  EXPECT_LE(width, 1800);
+  EXPECT_GT(height, 600);
+  EXPECT_EQ(entries(), 2);
+
+  plot.palette = Palette::grey;
+  draw(plot, folder_ / "g");
+  EXPECT_NE(read("f.png"), read("g.png"));
+}
+
+TEST_F(FieldPlotTest, NothingToDrawIsAnError) {
+  FieldPlot plot;
+  EXPECT_THROW(draw(plot, folder_ / "f"), std::invalid_argument);
+  plot.panels.push_back({"t", {{1}, {1}, {1}, {}}});
+  EXPECT_THROW(draw(plot, folder_ / "f"), std::invalid_argument);
+}
+
+}  // namespace
