@@ -71,6 +71,16 @@ std::string file_text(const std::filesystem::path& path) {
   return text.str();
 }
 
+/// The parser's words, without "Error while parsing ...:", and what to do.
+std::string not_toml(const toml::parse_error& error) {
+  std::string text(error.description());
+  if (text.starts_with("Error while parsing"))
+    if (const auto colon = text.find(": "); colon != std::string::npos) text.erase(0, colon + 2);
+  if (text.starts_with("cannot redefine"))
+    return "duplicate key: " + text + "; give every key and table once";
+  return "not TOML: " + text + "; strings stand in quotes, see studies/README.md";
+}
+
 }  // namespace
 
 std::string Place::text() const {
@@ -125,8 +135,7 @@ Table read_document(const std::filesystem::path& path) {
   try {
     return to_table(toml::parse(text, file), file);
   } catch (const toml::parse_error& error) {
-    throw StudyError(place_of(error.source(), file).text() +
-                     ": not TOML: " + std::string(error.description()));
+    throw StudyError(place_of(error.source(), file).text() + ": " + not_toml(error));
   }
 }
 
@@ -141,8 +150,7 @@ Value read_value(std::string_view key, std::string_view text) {
   } catch (const toml::parse_error& error) {
     const bool is_toml = text.starts_with('[') || text.starts_with('{') || text.starts_with('"');
     if (is_toml)
-      throw StudyError("--set: " + std::string(key) + " = " + std::string(text) +
-                       ": not TOML: " + std::string(error.description()));
+      throw StudyError("--set: " + std::string(key) + " = " + std::string(text) + ": " + not_toml(error));
   }
   return {place, std::string(text)};
 }

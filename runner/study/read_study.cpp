@@ -118,6 +118,7 @@ class Reader {
     if (entry.key == "accuracy" && table == "numerics") {
       problems_.add(entry.place, entry.key, entry.value.written(),
                     {"choosing the cell by an accuracy is not supported yet", "give cell_size = \"0.1 um\""});
+      said_.emplace_back("cell_size");  // one complaint is enough
       return;
     }
     std::optional<Axis> axis;

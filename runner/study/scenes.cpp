@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runner/study/decimal.hpp"
+#include "runner/study/readable.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -64,26 +65,29 @@ class Reporter {
     for (const Point& snapshot : request_.snapshots)
       if (snapshot.value > scene.end_time) {
         bad = true;
-        problems_.add(snapshot.place, "snapshots", shortest_text(snapshot.value) + " s",
-                      {"after the end of the run",
-                       "allowed: up to end_time = " + shortest_text(scene.end_time) + " s"});
+        problems_.add(
+            snapshot.place, "snapshots", readable(snapshot.value, "s"),
+            {"after the end of the run", "allowed: up to end_time = " + readable(scene.end_time, "s")});
       }
     for (const mpm::Problem& problem : mpm::find_problems(scene)) {
       bad = true;
-      problems_.add(place_of(problem.parameter, job), problem.parameter, problem.value,
+      const Assignment* source = source_of(problem.parameter);
+      const bool as_written =
+          source && source->column == not_swept && source->axis->name() == problem.parameter;
+      problems_.add(source ? source->point(combinations_, job).place : request_.place, problem.parameter,
+                    as_written ? source->axis->written : problem.value,
                     {"cannot be run", "allowed: " + problem.allowed});
     }
     return bad;
   }
 
  private:
-  Place place_of(std::string_view parameter, std::uint64_t job) const {
+  /// What the file says of a parameter, or of its alternative. Null: nothing, it is a default.
+  const Assignment* source_of(std::string_view parameter) const {
     const mpm::Quantity* row = mpm::find_quantity(parameter);
     for (const Assignment& one : assignments_)
-      if (one.axis->name() == parameter || (row && one.axis->name() == row->alternative))
-        return one.point(combinations_, job).place;
-    if (parameter == "snapshots" && !request_.snapshots.empty()) return request_.snapshots[0].place;
-    return request_.place;
+      if (one.axis->name() == parameter || (row && one.axis->name() == row->alternative)) return &one;
+    return nullptr;
   }
 
   const SceneRequest& request_;

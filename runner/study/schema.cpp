@@ -27,9 +27,10 @@ const std::vector<Keys>& other_keys() {
 
 bool is_array_table(std::string_view table) { return table == "fit" || table == "figure"; }
 
-std::string bracketed(std::string_view table) {
-  if (table.empty()) return "the top of the file";
-  return is_array_table(table) ? "[[" + std::string(table) + "]]" : "[" + std::string(table) + "]";
+/// "in [parameters]".
+std::string where(std::string_view table) {
+  if (table.empty()) return "at the top of the file";
+  return is_array_table(table) ? "in [[" + std::string(table) + "]]" : "in [" + std::string(table) + "]";
 }
 
 /// Edits (insert, delete, replace, swap of neighbours) that make b of a.
@@ -109,7 +110,7 @@ Refusal unknown_key(std::string_view key, std::string_view table, std::optional<
     return {std::string(mpm::to_string(*kind)) + " has no such parameter",
             "it belongs to: " + kinds_with(key) + "; remove it, or change scene"};
   if (const auto home = table_of(key); home && *home != table)
-    return {"does not belong in " + bracketed(table), "it is allowed in " + bracketed(*home)};
+    return {"does not belong " + where(table), "it is allowed " + where(*home)};
 
   auto candidates = keys_of(table, kind);
   if (table.empty())
@@ -119,10 +120,9 @@ Refusal unknown_key(std::string_view key, std::string_view table, std::optional<
     return {"unknown key", "did you mean " + std::string(near) + "?"};
   for (const std::string_view other : table_names()) {
     const std::string_view near = nearest(key, keys_of(other, kind));
-    if (!near.empty())
-      return {"unknown key", "did you mean " + std::string(near) + " in " + bracketed(other) + "?"};
+    if (!near.empty()) return {"unknown key", "did you mean " + std::string(near) + " " + where(other) + "?"};
   }
-  return {"unknown key", "allowed in " + bracketed(table) + ": " + listed(candidates)};
+  return {"unknown key", "allowed " + where(table) + ": " + listed(candidates)};
 }
 
 void check_keys(const Table& entries, std::string_view table, std::optional<mpm::SceneKind> kind,

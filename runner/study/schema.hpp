@@ -41,12 +41,16 @@ std::string listed(const Words& words) {
   return text;
 }
 
-/// For a word that is none of the allowed ones: "did you mean ...? allowed: ...".
+/// For a word that is none of the allowed ones: "did you mean ...? allowed: ..."; a long list is not shown
+/// where the nearest word is.
 template <class Words>
 Refusal unknown_word(std::string_view word, std::string_view what, const Words& words) {
+  constexpr std::size_t long_list = 8;
   const std::string_view near = nearest(word, std::vector<std::string_view>(words.begin(), words.end()));
-  return {"no such " + std::string(what),
-          (near.empty() ? "" : "did you mean \"" + std::string(near) + "\"? ") + "allowed: " + listed(words)};
+  std::string allowed = near.empty() ? "" : "did you mean \"" + std::string(near) + "\"?";
+  if (near.empty() || words.size() < long_list)
+    allowed += (near.empty() ? "" : " ") + ("allowed: " + listed(words));
+  return {"no such " + std::string(what), allowed};
 }
 
 }  // namespace mpmstudy
