@@ -1,0 +1,161 @@
+/// The gallery: for every NAME.toml of this folder, `mpmstudy check NAME.toml` ends with exit code 2, says
+/// exactly NAME.txt on stderr and nothing on stdout, and leaves no file behind.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const fs::path gallery = SOURCE_DIR "/tests/runner/bad_input";
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// An empty folder, gone when it leaves its scope.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "bad-input-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  const fs::path& path() const { return path_; }
+  std::map<std::string, std::string> contents() const {
+    std::map<std::string, std::string> files;
+    for (const auto& file : fs::recursive_directory_iterator(path_))
+      files[file.path().string()] = file.is_regular_file() ? text_of(file.path()) : "";
+    return files;
+  }
+
+ private:
+  fs::path path_;
+};
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+/// Runs `mpmstudy ARGUMENTS` inside `folder`.
+Outcome run(const Folder& folder, const std::string& arguments) {
+  const Folder streams;
+  const fs::path out = streams.path() / "out", err = streams.path() / "err";
+  const std::string command = "cd '" + folder.path().string() + "' && '" MPMSTUDY_PROGRAM "' " + arguments +
+                              " > '" + out.string() + "' 2> '" + err.string() + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+}
+
+class Gallery : public testing::TestWithParam<std::string> {};
+
+TEST_P(Gallery, HasItsMessage) {
+  const Folder folder;
+  const std::string file = GetParam() + ".toml";
+  fs::copy_file(gallery / file, folder.path() / file);
+  const auto before = folder.contents();
+  const Outcome outcome = run(folder, "check " + file);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, text_of(gallery / (GetParam() + ".txt")));
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(folder.contents(), before);
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> names;
+  for (const auto& file : fs::directory_iterator(gallery))
+    if (file.path().extension() == ".toml") names.push_back(file.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(BadInput, Gallery, testing::ValuesIn(names()),
+                         [](const auto& i) { return i.param; });
+
+const char* const good_study = R"(schema = 1
+name = "good"
+scene = "cavity-impact"
+[parameters]
+material = "aluminium"
+impact_speed = "200 m/s"
+block_width = "10 um"
+block_height = "5 um"
+cavity_radius = "1.5 um"
+cavity_center_height = "1.9 um"
+end_time = "16 ns"
+[numerics]
+cell_size = "0.1 um"
+)";
+
+/// What no file of the gallery can show.
+TEST(BadInput, CommandLines) {
+  const Folder folder;
+  std::ofstream(folder.path() / "good.toml") << good_study;
+  fs::create_directory(folder.path() / "folder");
+  const auto before = folder.contents();
+  const struct {
+    const char* arguments;
+    const char* begins;  ///< of stderr
+  } cases[] = {
+      {"check absent.toml", "absent.toml: no such file; "},
+      {"check folder", "folder: is a directory; "},
+      {"check good.toml --set impact_speed='200 kg'",
+       "--set: impact_speed = \"200 kg\": 'kg' is not a unit of"},
+      {"check good.toml --set cell_sise='1 um'",
+       "--set: cell_sise = 1 um: unknown key; did you mean cell_size?"},
+      {"check good.toml --set cell_size", "--set: cell_size: not KEY=VALUE; "},
+      {"check good.toml --set cell_size='3 um'", "--set: cell_size = \"3 um\": cannot be run; "},
+      {"plan absent.toml", "absent.toml: no such file; "},
+      {"plan good.toml --set 'cavity_radius=[]'", "--set: cavity_radius = []: no values; "},
+      {"check", "FILE is required"},
+      {"plan good.toml -j 0", "--jobs: Value 0 not in range"},
+      {"chekc good.toml", "The following arguments were not expected"},
+      {"", "Parameter studies"},
+  };
+  for (const auto& one : cases) {
+    const Outcome outcome = run(folder, one.arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << one.arguments;
+    EXPECT_THAT(outcome.err, StartsWith(one.begins)) << one.arguments;
+    EXPECT_EQ(outcome.out, "") << one.arguments;
+  }
+  EXPECT_EQ(folder.contents(), before);
+}
+
+TEST(BadInput, GoodFilesBesideBadOnes) {
+  const Folder folder;
+  std::ofstream(folder.path() / "good.toml") << good_study;
+  const Outcome outcome = run(folder, "check good.toml absent.toml good.toml");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "ok: good, 1 job\nok: good, 1 job\n");
+  EXPECT_THAT(outcome.err, StartsWith("absent.toml: "));
+}
+
+TEST(GoodInput, EndsWithZero) {
+  const Folder folder;
+  std::ofstream(folder.path() / "good.toml") << good_study;
+  const auto before = folder.contents();
+  EXPECT_EQ(run(folder, "check good.toml").exit_code, 0);
+  EXPECT_EQ(run(folder, "plan good.toml").exit_code, 0);
+  EXPECT_THAT(run(folder, "plan good.toml --json").out, StartsWith("{\n  \"study\": \"good\""));
+  EXPECT_EQ(run(folder, "--help").exit_code, 0);
+  EXPECT_THAT(run(folder, "--version").out, HasSubstr("physics version"));
+  EXPECT_EQ(folder.contents(), before);
+}
+
+}  // namespace

@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "libmpm/scene/parameters.hpp"
+#include "runner/plan/plan.hpp"
+#include "tests/runner/study/study_text.hpp"
+
+namespace mpmstudy {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string key_of(const std::string& text) { return job_key(read_text(text).scenes.at(0)); }
+
+/// A scene whose numbers depend on no default.
+mpm::Scene fixed_scene(mpm::SceneKind kind = mpm::SceneKind::cavity_impact) {
+  mpm::Scene scene;
+  scene.kind = kind;
+  double value = 1;
+  for (const mpm::Quantity& row : mpm::quantities())
+    if (!row.derived) row.set(scene, value++);
+  for (const mpm::Choice& row : mpm::choices()) row.set(scene, 0);
+  scene.measures.snapshots = {1, 2};
+  return scene;
+}
+
+/// Changes only when results change: a new parameter or a new physics version. Results of older catalogs are
+/// then computed anew; be sure that this is meant.
+TEST(JobKey, Golden) {
+  EXPECT_EQ(job_key(fixed_scene()), "ff1b15eccaa3230bb90cb312a4f80fe7") << canonical_text(fixed_scene());
+}
+
+TEST(JobKey, Is32HexadecimalDigits) {
+  const std::string key = job_key(fixed_scene());
+  EXPECT_EQ(key.size(), 32u);
+  EXPECT_EQ(key.find_first_not_of("0123456789abcdef"), std::string::npos);
+}
+
+TEST(JobKey, DoesNotDependOnSpelling) {
+  const std::string key = key_of(study_text());
+  EXPECT_EQ(key_of(study_text({{"block_width", "\"0.01 mm\""},
+                               {"block_height", "\"6e-6 m\""},
+                               {"impact_speed", "\"0.2 km/s\""},
+                               {"end_time", "\"0.016 us\""},
+                               {"cavity_radius", "{ values = [1500], unit = \"nm\" }"}})),
+            key);
+  EXPECT_EQ(key_of(study_text({}, "[material]\nyoungs_modulus = \"69000 MPa\"\n")), key);  // said or default
+  std::string renamed = study_text();
+  renamed.replace(renamed.find("\"test\""), 6, "\"another\"\ntitle = \"Another\"");
+  EXPECT_EQ(key_of(renamed), key);
+}
+
+TEST(JobKey, DependsOnEveryQuantityAndChoice) {
+  for (const std::string_view name : mpm::scene_kind_names()) {
+    const mpm::Scene scene = fixed_scene(*mpm::scene_kind_from(name));
+    std::set<std::string> keys = {job_key(scene)};
+    std::size_t changes = 1;
+    for (const mpm::Quantity& row : mpm::quantities()) {
+      mpm::Scene changed = scene;
+      row.set(changed, row.get(scene) + 1);
+      if (row.derived) continue;
+      if (row.belongs_to(scene.kind)) {
+        EXPECT_TRUE(keys.insert(job_key(changed)).second) << row.name;
+        ++changes;
+      } else {
+        EXPECT_EQ(job_key(changed), job_key(scene)) << row.name;
+      }
+    }
+    for (const mpm::Choice& row : mpm::choices())
+      for (std::size_t i = 1; i < row.allowed.size(); ++i) {
+        mpm::Scene changed = scene;
+        row.set(changed, i);
+        EXPECT_TRUE(keys.insert(job_key(changed)).second) << row.name;
+        ++changes;
+      }
+    mpm::Scene changed = scene;
+    changed.measures.snapshots.pop_back();
+    EXPECT_TRUE(keys.insert(job_key(changed)).second);
+    EXPECT_EQ(keys.size(), changes + 1);
+  }
+  EXPECT_NE(job_key(fixed_scene(mpm::SceneKind::cavity_impact)),
+            job_key(fixed_scene(mpm::SceneKind::planar_impact)));
+}
+
+TEST(JobKey, LastBitCounts) {
+  mpm::Scene scene = fixed_scene(), other = scene;
+  other.end_time = std::nextafter(other.end_time, 1e9);
+  EXPECT_NE(job_key(scene), job_key(other));
+}
+
+TEST(CanonicalText, LeavesOutWhatIsDerived) {
+  EXPECT_THAT(canonical_text(fixed_scene()), HasSubstr("\ncavity_center_height="));
+  EXPECT_THAT(canonical_text(fixed_scene()), Not(HasSubstr("wall_thickness")));
+}
+
+}  // namespace
+}  // namespace mpmstudy

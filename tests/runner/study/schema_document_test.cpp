@@ -1,0 +1,78 @@
+/// studies/README.md tells the truth: its table of parameters is the one of libmpm, and it names every key.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "runner/study/schema.hpp"
+
+namespace mpmstudy {
+namespace {
+
+std::string readme() {
+  std::ifstream stream(SOURCE_DIR "/studies/README.md");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+template <class Row>
+std::string scenes_of(const Row& row) {
+  std::vector<std::string_view> kinds;
+  for (const auto name : mpm::scene_kind_names())
+    if (row.belongs_to(*mpm::scene_kind_from(name))) kinds.push_back(name);
+  return kinds.size() == mpm::scene_kind_names().size() ? "all" : listed(kinds);
+}
+
+std::string_view range_of(mpm::Range range) {
+  switch (range) {
+    case mpm::Range::positive:
+      return "> 0";
+    case mpm::Range::non_negative:
+      return ">= 0";
+    case mpm::Range::count:
+      return "1, 2, ...";
+    case mpm::Range::any:
+      return "any";
+  }
+  return "";
+}
+
+std::string need_of(const mpm::Quantity& row) {
+  if (!row.required) return "";
+  return row.alternative.empty() ? "yes" : "yes, or `" + std::string(row.alternative) + "`";
+}
+
+/// The table as it has to stand in studies/README.md.
+std::string parameter_table() {
+  std::ostringstream text;
+  text
+      << "| table | key | SI unit | allowed | required | scenes | meaning |\n|---|---|---|---|---|---|---|\n";
+  for (const mpm::Quantity& row : mpm::quantities())
+    text << "| `[" << table_name(row.section) << "]` | `" << row.name << "` | " << row.unit << " | "
+         << range_of(row.range) << " | " << need_of(row) << " | " << scenes_of(row) << " | " << row.meaning
+         << " |\n";
+  for (const mpm::Choice& row : mpm::choices())
+    text << "| `[" << table_name(row.section) << "]` | `" << row.name << "` | a word | "
+         << listed(row.allowed) << " |  | " << scenes_of(row) << " | " << row.meaning << " |\n";
+  return text.str();
+}
+
+TEST(StudiesReadme, ParameterTableIsTrue) {
+  const std::string text = readme();
+  EXPECT_NE(text.find(parameter_table()), std::string::npos) << "put this table into studies/README.md:\n"
+                                                             << parameter_table();
+}
+
+TEST(StudiesReadme, NamesEveryKeyAndTable) {
+  const std::string text = readme();
+  for (const std::string_view table : table_names()) {
+    for (const std::string_view key : keys_of(table))
+      EXPECT_NE(text.find("`" + std::string(key) + "`"), std::string::npos) << table << " " << key;
+    if (table.empty()) continue;
+    EXPECT_NE(text.find("[" + std::string(table) + "]"), std::string::npos) << table;
+  }
+}
+
+}  // namespace
+}  // namespace mpmstudy
