@@ -55,6 +55,7 @@ void check_header(const fs::path& path, const Header& header, std::int32_t newes
                          "); restore it from a backup or choose another folder with --results");
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
+    case SQLITE_IOERR:
     case SQLITE_PERM:
       throw CatalogError(
           path.string() + ": cannot be opened (" + error.what() +
@@ -121,6 +122,14 @@ void bring_up_to_date(SQLite::Database& db, const fs::path& path, const CatalogS
   transaction.commit();
 }
 
+void check_is_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+    throw CatalogError(
+        path.string() +
+        ": cannot be opened (it is not a file); move it away or choose another folder with --results");
+}
+
 std::string uri_path(const fs::path& path) {
   std::string text;
   for (const char c : fs::absolute(path).string())
@@ -151,6 +160,7 @@ fs::path catalog_path(const fs::path& results) { return results / "catalog.db"; 
 std::unique_ptr<SQLite::Database> open_for_writing(const fs::path& results, const CatalogSchema& schema) {
   const fs::path path = catalog_path(results);
   make_folder(results);
+  check_is_file(path);
   try {
     if (fs::exists(path)) {  // look before anything may write
       SQLite::Database db(path.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
@@ -178,6 +188,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
   if (!fs::exists(path, ignored))
     throw CatalogError(path.string() +
                        ": there is no catalog; `mpmstudy run STUDY` makes one, --results names its folder");
+  check_is_file(path);
   const int flags = SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX;
   std::unique_ptr<SQLite::Database> db;
   try {

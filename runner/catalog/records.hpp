@@ -60,7 +60,8 @@ struct CriticalSpeedRow {
 
 /// What registering a study found.
 struct Registration {
-  std::vector<std::string> to_run;     ///< keys, in the order of the plan
+  std::vector<JobStatus> states;       ///< of every job, in the order of the plan; planned: to run
+  std::vector<std::string> to_run;     ///< keys of these
   std::int64_t done = 0;               ///< decided before: not run again
   std::int64_t failed = 0;             ///< failed before and left so
   std::int64_t running_elsewhere = 0;  ///< by another process that is alive

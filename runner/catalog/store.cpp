@@ -255,6 +255,7 @@ Registration Store::register_study(const std::string& name, const std::string& t
       impl_->record(id, status, JobStatus::planned, row->attempt,
                     status == JobStatus::failed ? "retry of a failed job" : "wanted again");
     }
+    registration.states.push_back(again ? JobStatus::planned : status);
     if (again || status == JobStatus::planned) {
       registration.to_run.push_back(job.key);
       registration.taken_up += taken_up.contains(id);
