@@ -1,1 +1,48 @@
-int main() { return 2; }
+/// mpmstudy: parameter studies of shock problems by the material point method.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "libmpm/simulation.hpp"
+#include "runner/cli/check.hpp"
+#include "runner/cli/cli.hpp"
+#include "runner/cli/plan.hpp"
+
+namespace {
+
+/// Verbs in the order in which help lists them: a new verb is one file in runner/cli and one line here.
+void setup_verbs(CLI::App& app) {
+  mpmstudy::setup_check(app);
+  mpmstudy::setup_plan(app);
+}
+
+int run(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::RuntimeError& end) {
+    return end.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? mpmstudy::exit_ok : mpmstudy::exit_usage;
+  } catch (const mpmstudy::StudyError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return mpmstudy::exit_usage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "mpmstudy: {}\n", error.what());
+    return mpmstudy::exit_failed;
+  }
+  fmt::print(stderr, "{}", app.help());
+  return mpmstudy::exit_usage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Parameter studies of shock problems by the material point method", "mpmstudy");
+  app.set_version_flag(
+      "--version", fmt::format("mpmstudy {}, physics version {}", MPMSTUDY_VERSION, mpm::physics_version));
+  app.require_subcommand(0, 1);
+  setup_verbs(app);
+  return run(app, argc, argv);
+}

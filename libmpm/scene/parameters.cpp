@@ -16,6 +16,7 @@ constexpr auto positive = Range::positive;
 constexpr auto non_negative = Range::non_negative;
 constexpr bool required = true;
 constexpr bool optional = false;
+constexpr bool derived = true;
 
 #define FIELD(member) [](const S& s) -> double { return s.member; }, [](S& s, double v) { s.member = v; }
 
@@ -35,7 +36,7 @@ const Quantity quantity_table[] = {
     {"wall_thickness", "m", "wall_thickness_m", "downstream wall: block_height - cavity_center_height - cavity_radius",
      P, non_negative, required, "cavity_center_height", cavity,
      [](const S& s) { return s.block_height - s.cavity_center_height - s.cavity_radius; },
-     [](S& s, double d) { s.cavity_center_height = s.block_height - d - s.cavity_radius; }},
+     [](S& s, double d) { s.cavity_center_height = s.block_height - d - s.cavity_radius; }, derived},
     {"end_time", "s", "end_time_s", "time at which a run ends",
      P, positive, required, "", every, FIELD(end_time)},
     {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress",
@@ -67,7 +68,7 @@ const Quantity quantity_table[] = {
     {"cell_size", "m", "cell_size_m", "edge of a grid cell",
      N, positive, required, "", every, FIELD(numerics.cell_size)},
     {"particles_per_cell", "1", "particles_per_cell", "particles a cell: 1, 4, 9 or 16",
-     N, positive, optional, "", every,
+     N, Range::count, optional, "", every,
      [](const S& s) -> double { return s.numerics.particles_per_cell; },
      [](S& s, double v) { s.numerics.particles_per_cell = static_cast<int>(v); }},
     {"cfl", "1", "cfl", "share of the stability limit that a time step takes",

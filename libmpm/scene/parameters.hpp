@@ -14,7 +14,12 @@ namespace mpm {
 enum class Section { parameters, material, numerics, measure };
 
 /// What a number may be, by itself (find_problems knows how numbers go together).
-enum class Range { positive, non_negative, any };
+enum class Range {
+  positive,
+  non_negative,
+  count,  ///< a positive whole number
+  any
+};
 
 /// A number with a unit.
 struct Quantity {
@@ -29,6 +34,7 @@ struct Quantity {
   bool (*belongs_to)(SceneKind);
   double (*get)(const Scene&);
   void (*set)(Scene&, double);  ///< order matters: rows are applied from the top
+  bool derived = false;         ///< made of other rows: no freedom of its own, no part of a job's key
 };
 
 /// A choice among words.

@@ -27,7 +27,16 @@ struct Plan {
   std::vector<Job> jobs;  ///< order of the sweep, equal keys only once
 };
 
+/// What one core is taken to do, until the catalog has seen jobs and knows better [particle updates/s].
+inline constexpr double assumed_updates_per_second = 5e6;
+
 /// updates_per_second: particle updates a second and core that the prediction assumes.
-Plan make_plan(const Study&, double updates_per_second);
+Plan make_plan(const Study&, double updates_per_second = assumed_updates_per_second);
+
+/// Sum of the predictions [s].
+double cpu_seconds(const Plan&);
+
+/// The predicted time of all jobs on `workers` threads, the longest job first [s].
+double wall_seconds(const Plan&, int workers);
 
 }  // namespace mpmstudy

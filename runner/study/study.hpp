@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -29,6 +30,15 @@ struct FigureRequest {
   std::string y;     ///< xy: a result column; fields: "pressure", "plastic_work", ...
 };
 
+/// A critical value that the study looks for ([search]): the smallest `critical` that has `outcome`.
+struct SearchRequest {
+  std::string critical;  ///< a quantity that [parameters] leaves out, e.g. "impact_speed"
+  std::string outcome;   ///< "ejected", ...
+  double lower = 0;      ///< the bracket to start from, SI of `critical`, lower < upper; scenes hold `lower`
+  double upper = 0;
+  double tolerance = 0;  ///< width of the bracket at which the search ends, > 0, SI of `critical`
+};
+
 /// Bad input. what() is "file:line:column: key = value: what is wrong; what is allowed". Exit code 2.
 class StudyError : public std::runtime_error {
  public:
@@ -41,7 +51,9 @@ struct Study {
   std::string title;
   mpm::SceneKind kind{};
   std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
+  std::vector<std::string> given;  ///< names of everything the file sets, swept or not; the rest is default
   std::vector<mpm::Scene> scenes;  ///< one per job, in the order of the sweep, every one without problems
+  std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;
 };

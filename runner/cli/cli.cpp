@@ -1,0 +1,35 @@
+#include "runner/cli/cli.hpp"
+
+#include <CLI/CLI.hpp>
+#include <limits>
+
+namespace mpmstudy {
+
+void add_study_options(CLI::App& verb, StudyOptions& options) {
+  verb.add_option("--set", options.set,
+                  "Over the file: --set impact_speed=\"300 m/s\", --set cavity_radius='[\"1 um\", \"2 um\"]'")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  verb.add_flag("--yes", options.yes, "Allow a study of more than a million jobs");
+}
+
+Study read_study(const std::string& path, const StudyOptions& options) {
+  ReadOptions read;
+  if (options.yes) read.most_jobs = std::numeric_limits<std::uint64_t>::max();
+  for (const std::string& text : options.set) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw StudyError("--set: " + text + ": not KEY=VALUE; write for example --set cell_size=\"0.1 um\"");
+    read.set.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return read_study(std::filesystem::path(path), read);
+}
+
+void add_results_option(CLI::App& verb, std::string& results) {
+  if (results.empty()) results = "results";
+  verb.add_option("--results", results, "Folder of results")->type_name("DIR")->capture_default_str();
+}
+
+void finish(int exit_code) { throw CLI::RuntimeError(exit_code); }
+
+}  // namespace mpmstudy

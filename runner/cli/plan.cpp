@@ -1,0 +1,155 @@
+#include "runner/cli/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "runner/plan/plan.hpp"
+#include "runner/study/readable.hpp"
+
+namespace mpmstudy {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What a job has for a parameter of the table, for people.
+std::string readable_parameter(std::string_view name, const mpm::Scene& scene) {
+  if (const mpm::Quantity* row = mpm::find_quantity(name)) return readable(*row, scene);
+  return readable(*mpm::find_choice(name), scene);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
+  if (seconds < 2 * 3600) return fmt::format("{:.3g} min", seconds / 60);
+  return fmt::format("{:.3g} h", seconds / 3600);
+}
+
+void print_table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows[0].size());
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  for (const auto& row : rows) {
+    std::string line = fmt::format("{:<{}}", row[0], widths[0]);
+    for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format("  {:>{}}", row[i], widths[i]);
+    fmt::print("{}\n", line);
+  }
+}
+
+/// "scheme gimp", "area_every 50 ps", or "area_every varies" where the jobs differ.
+template <class Row>
+std::string default_in_force(const Row& row, const Plan& plan) {
+  const mpm::Scene& first = plan.jobs.front().scene;
+  const bool same = std::all_of(plan.jobs.begin(), plan.jobs.end(),
+                                [&](const Job& job) { return row.get(job.scene) == row.get(first); });
+  return std::string(row.name) + " " + (same ? readable(row, first) : "varies");
+}
+
+/// Every parameter that the file leaves to the scene or to its material, a line a table.
+void print_defaults(const Study& study, const Plan& plan) {
+  const std::pair<mpm::Section, std::string> sections[] = {
+      {mpm::Section::parameters, "parameters"},
+      {mpm::Section::material, "material (" + plan.jobs.front().scene.material.name + ")"},
+      {mpm::Section::numerics, "numerics"},
+      {mpm::Section::measure, "measure"}};
+  fmt::print("Not in the file, so by default:\n");
+  for (const auto& [section, title] : sections) {
+    std::string line;
+    const auto add = [&](const auto& row) {
+      if (row.section != section || !row.belongs_to(study.kind) || contains(study.given, row.name)) return;
+      line += (line.empty() ? "" : ", ") + default_in_force(row, plan);
+    };
+    for (const mpm::Quantity& row : mpm::quantities())
+      if (!row.required) add(row);
+    for (const mpm::Choice& row : mpm::choices()) add(row);
+    if (!line.empty()) fmt::print("  {}: {}\n", title, line);
+  }
+}
+
+void print_text(const Study& study, const Plan& plan, int workers) {
+  std::vector<std::vector<std::string>> rows = {{"job"}};
+  rows[0].insert(rows[0].end(), study.swept.begin(), study.swept.end());
+  rows[0].insert(rows[0].end(), {"particles", "steps", "predicted"});
+  for (const Job& job : plan.jobs) {
+    std::vector<std::string> row = {job.key.substr(0, 12)};
+    for (const std::string& name : study.swept) row.push_back(readable_parameter(name, job.scene));
+    row.push_back(std::to_string(job.estimate.particles));
+    row.push_back(std::to_string(job.estimate.steps));
+    row.push_back(duration(job.predicted_seconds));
+    rows.push_back(std::move(row));
+  }
+  fmt::print("{}: {} ({})\n\n", study.name, study.title, mpm::to_string(study.kind));
+  print_table(rows);
+  const std::size_t same = study.scenes.size() - plan.jobs.size();
+  fmt::print(
+      "\n{} job{}{}, {} of CPU, {} on -j {} (predicted at {:.3g} particle updates a second and core)\n",
+      plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s",
+      same == 0 ? "" : fmt::format(" ({} more are the same as one of these)", same),
+      duration(cpu_seconds(plan)), duration(wall_seconds(plan, workers)), workers,
+      assumed_updates_per_second);
+  if (study.search)
+    fmt::print("Search for the smallest {} with outcome {}: the jobs above are its first, at the lower end\n",
+               study.search->critical, study.search->outcome);
+  print_defaults(study, plan);
+}
+
+Json to_json(const Study& study, const Plan& plan, int workers) {
+  Json jobs = Json::array();
+  for (const Job& job : plan.jobs) {
+    Json parameters;
+    for (const mpm::Quantity& row : mpm::quantities())
+      if (row.belongs_to(study.kind)) parameters[std::string(row.column)] = row.get(job.scene);
+    for (const mpm::Choice& row : mpm::choices())
+      if (row.belongs_to(study.kind)) parameters[std::string(row.column)] = row.allowed[row.get(job.scene)];
+    parameters["snapshots_s"] = job.scene.measures.snapshots;
+    jobs.push_back({{"key", job.key},
+                    {"parameters", std::move(parameters)},
+                    {"particles", job.estimate.particles},
+                    {"steps", job.estimate.steps},
+                    {"predicted_seconds", job.predicted_seconds}});
+  }
+  return {{"study", study.name},
+          {"title", study.title},
+          {"scene", mpm::to_string(study.kind)},
+          {"swept", study.swept},
+          {"jobs", std::move(jobs)},
+          {"cpu_seconds", cpu_seconds(plan)},
+          {"workers", workers},
+          {"wall_seconds", wall_seconds(plan, workers)},
+          {"updates_per_second", assumed_updates_per_second}};
+}
+
+}  // namespace
+
+void setup_plan(CLI::App& app) {
+  const auto options = std::make_shared<PlanOptions>();
+  CLI::App& verb = *app.add_subcommand("plan", "Print the jobs of a study and what they will cost");
+  verb.add_option("FILE", options->file, "Study file")->required();
+  add_study_options(verb, options->study);
+  add_results_option(verb, options->results);
+  verb.add_option("-j,--jobs", options->workers, "Worker threads to predict for [processors]")
+      ->check(CLI::Range(1, 4096));
+  verb.add_flag("--json", options->json, "One JSON object, SI units, full precision");
+  verb.callback([options] { finish(run_plan(*options)); });
+}
+
+int run_plan(const PlanOptions& options) {
+  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int workers = options.workers > 0 ? options.workers : processors;
+  const Study study = read_study(options.file, options.study);
+  const Plan plan = make_plan(study);
+  if (options.json)
+    fmt::print("{}\n", to_json(study, plan, workers).dump(2));
+  else
+    print_text(study, plan, workers);
+  return exit_ok;
+}
+
+}  // namespace mpmstudy

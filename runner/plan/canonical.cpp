@@ -1,0 +1,49 @@
+#include <charconv>
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include "libmpm/scene/parameters.hpp"
+#include "libmpm/simulation.hpp"
+#include "runner/plan/plan.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// Hexadecimal float: exact, short, the same text for the same bits. -0 is 0.
+void append_number(std::string& text, double value) {
+  char buffer[40];
+  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0, std::chars_format::hex);
+  text.append(buffer, result.ptr);
+}
+
+}  // namespace
+
+std::string canonical_text(const mpm::Scene& scene) {
+  std::string text = "physics_version=" + std::to_string(mpm::physics_version) + "\n";
+  text.append("scene=").append(mpm::to_string(scene.kind)).append("\n");
+  for (const mpm::Quantity& row : mpm::quantities()) {
+    if (row.derived || !row.belongs_to(scene.kind)) continue;
+    text.append(row.name).append("=");
+    append_number(text, row.get(scene));
+    text.append("\n");
+  }
+  for (const mpm::Choice& row : mpm::choices()) {
+    if (!row.belongs_to(scene.kind)) continue;
+    text.append(row.name).append("=").append(row.allowed[row.get(scene)]).append("\n");
+  }
+  text.append("snapshots=");
+  for (const double time : scene.measures.snapshots) {
+    append_number(text, time);
+    text.append(" ");
+  }
+  return text.append("\n");
+}
+
+std::string job_key(const mpm::Scene& scene) {
+  const std::string text = canonical_text(scene);
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+}  // namespace mpmstudy

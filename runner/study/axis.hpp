@@ -1,0 +1,54 @@
+#pragma once
+/// What a study says about one parameter: a value, or a sweep of it.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libmpm/scene/parameters.hpp"
+#include "runner/study/problems.hpp"
+#include "runner/study/quantity_text.hpp"
+#include "runner/study/units.hpp"
+
+namespace mpmstudy {
+
+/// One value on an axis.
+struct Point {
+  double value = 0;  ///< SI; of a choice: the index of its word
+  Place place;       ///< for messages
+};
+
+/// { from, to, count, unit, spacing }: kept as it is written, because a count may be absurd.
+struct Interval {
+  double from = 0, to = 0;             ///< in the written unit
+  std::string from_text, to_text;      ///< the ends exactly
+  std::optional<std::uint64_t> count;  ///< random sampling needs none
+  bool logarithmic = false;
+  Conversion conversion;
+
+  /// The point at 0 <= share <= 1, in SI; inner points are rounded to 12 digits of the written unit.
+  double at(double share) const;
+};
+
+struct Axis {
+  const mpm::Quantity* quantity = nullptr;  ///< one of these two is set
+  const mpm::Choice* choice = nullptr;
+  Place place;          ///< of the key
+  Place value_place;    ///< of the value
+  std::string written;  ///< the value, as in the file
+  bool swept = false;
+  std::vector<Point> points;         ///< empty if interval is set
+  std::optional<Interval> interval;  ///< a range
+
+  std::string_view name() const { return quantity ? quantity->name : choice->name; }
+  /// Number of values; 0 for a range without a count.
+  std::uint64_t size() const { return interval ? interval->count.value_or(0) : points.size(); }
+  Point point(std::uint64_t i) const;  ///< i < size()
+};
+
+/// Reads the value of a row of the parameter table. Empty after adding problems.
+std::optional<Axis> read_axis(const mpm::Quantity&, const Entry&, const Units&, Problems&);
+std::optional<Axis> read_axis(const mpm::Choice&, const Entry&, Problems&);
+
+}  // namespace mpmstudy

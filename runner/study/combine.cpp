@@ -1,0 +1,149 @@
+#include "runner/study/combine.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "runner/study/sampling.hpp"
+#include "runner/study/schema.hpp"
+
+namespace mpmstudy {
+namespace {
+
+constexpr std::array<std::string_view, 4> mode_names = {"grid", "zip", "random", "latin-hypercube"};
+
+bool is_sampled(SweepMode mode) { return mode == SweepMode::random || mode == SweepMode::latin_hypercube; }
+
+std::optional<std::uint64_t> product(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t result = 0;
+  return __builtin_mul_overflow(a, b, &result) ? std::nullopt : std::optional(result);
+}
+
+/// Reads a whole number that sampling needs and the other modes do not have.
+void read_whole(const Table& table, std::string_view key, std::int64_t least, SweepMode mode,
+                const Place& place, std::uint64_t& number, Problems& problems) {
+  const Entry* entry = table.find(key);
+  if (!is_sampled(mode)) {
+    if (entry)
+      problems.add(key, entry->value,
+                   {"does not go with this mode", "it belongs to random and latin-hypercube; remove it"});
+    return;
+  }
+  if (!entry) {
+    problems.add(place, key, {"missing", "random and latin-hypercube need samples = ... and seed = ..."});
+    return;
+  }
+  const auto* whole = std::get_if<std::int64_t>(&entry->value.data);
+  if (!whole || *whole < least)
+    problems.add(key, entry->value,
+                 {"not a whole number of " + std::to_string(least) + " or more",
+                  "write for example " + std::string(key) + " = 100"});
+  else
+    number = static_cast<std::uint64_t>(*whole);
+}
+
+/// Modes that draw points need a range on every axis, the others need a number of values.
+bool axis_suits(const SweepRequest& request, const Axis& axis, Problems& problems) {
+  const std::string mode(mode_names[static_cast<std::size_t>(request.mode)]);
+  if (is_sampled(request.mode) && !axis.interval) {
+    problems.add(axis.value_place, axis.name(), axis.written,
+                 {"a list of values in a " + mode + " sweep", "allowed: a range { from = ..., to = ... }"});
+    return false;
+  }
+  if (is_sampled(request.mode) && axis.quantity->range == mpm::Range::count) {
+    problems.add(axis.value_place, axis.name(), axis.written,
+                 {"whole numbers in a " + mode + " sweep", "sweep it in a grid or zip, with values = [...]"});
+    return false;
+  }
+  if (!is_sampled(request.mode) && axis.interval && !axis.interval->count) {
+    problems.add(axis.value_place, axis.name(), axis.written,
+                 {"no count", "a " + mode + " sweep needs count = ... beside from and to"});
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<SweepRequest> read_sweep(const Table* table, Problems& problems) {
+  SweepRequest request;
+  if (!table) return request;
+  if (const Entry* entry = table->find("mode")) {
+    const std::string* word = entry->value.string();
+    const auto found = word ? std::find(mode_names.begin(), mode_names.end(), *word) : mode_names.end();
+    if (found == mode_names.end()) {
+      problems.add("mode", entry->value, unknown_word(word ? *word : "", "mode", mode_names));
+      return std::nullopt;
+    }
+    request.mode = static_cast<SweepMode>(found - mode_names.begin());
+    request.place = entry->value.place;
+    request.written = entry->value.written();
+  }
+  read_whole(*table, "samples", 1, request.mode, request.place, request.samples, problems);
+  read_whole(*table, "seed", 0, request.mode, request.place, request.seed, problems);
+  if (is_sampled(request.mode) && request.samples == 0) return std::nullopt;
+  return request;
+}
+
+std::optional<std::uint64_t> count_jobs(const SweepRequest& request, const std::vector<const Axis*>& swept,
+                                        std::uint64_t most_jobs, const Place& file, Problems& problems) {
+  bool good = true;
+  for (const Axis* axis : swept) good = axis_suits(request, *axis, problems) && good;
+  if (!good) return std::nullopt;
+
+  const bool needs_axes = request.mode != SweepMode::grid;
+  if (needs_axes && swept.empty()) {
+    problems.add(request.place, "mode", request.written,
+                 {"nothing is swept", "give a parameter several values, or remove [sweep]"});
+    return std::nullopt;
+  }
+  std::optional<std::uint64_t> jobs = 1;
+  if (is_sampled(request.mode)) {
+    jobs = request.samples;
+  } else if (request.mode == SweepMode::zip) {
+    jobs = swept.front()->size();
+    std::string sizes;
+    for (const Axis* axis : swept) {
+      sizes +=
+          (sizes.empty() ? "" : ", ") + std::string(axis->name()) + " has " + std::to_string(axis->size());
+      good = good && axis->size() == *jobs;
+    }
+    if (!good) {
+      problems.add(request.place, "mode", request.written,
+                   {"a zip of unequal lengths", "all need the same number of values: " + sizes});
+      return std::nullopt;
+    }
+  } else {
+    for (const Axis* axis : swept) jobs = jobs ? product(*jobs, axis->size()) : jobs;
+  }
+  if (jobs && *jobs <= most_jobs) return jobs;
+  if (!jobs)
+    problems.add(file, "jobs", {"more than can be counted", "sweep fewer values"});
+  else
+    problems.add(file, "jobs", std::to_string(*jobs),
+                 {"more than " + std::to_string(most_jobs) + " jobs",
+                  "sweep fewer values, or say --yes if that is meant"});
+  return std::nullopt;
+}
+
+Combinations::Combinations(const SweepRequest& request, const std::vector<const Axis*>& swept,
+                           std::uint64_t jobs)
+    : jobs_(jobs), columns_(swept.size()) {
+  if (is_sampled(request.mode)) {
+    const auto samples = request.mode == SweepMode::random
+                             ? random_samples(jobs, swept.size(), request.seed)
+                             : latin_hypercube(jobs, swept.size(), request.seed);
+    for (std::size_t axis = 0; axis < swept.size(); ++axis)
+      for (const auto& sample : samples)
+        columns_[axis].points.push_back({swept[axis]->interval->at(sample[axis]), swept[axis]->value_place});
+    return;
+  }
+  std::uint64_t stride = 1;
+  for (std::size_t axis = swept.size(); axis-- > 0;) {
+    Column& column = columns_[axis];
+    for (std::uint64_t i = 0; i < swept[axis]->size(); ++i) column.points.push_back(swept[axis]->point(i));
+    column.stride = stride;
+    if (request.mode == SweepMode::grid) stride *= column.points.size();
+  }
+}
+
+}  // namespace mpmstudy

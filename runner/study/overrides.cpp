@@ -1,0 +1,65 @@
+#include "runner/study/overrides.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "runner/study/schema.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// [table] of the document, made if it is not there; the document itself for "". Null: it is no table.
+Table* open_table(Table& document, std::string_view name, const Place& place) {
+  if (name.empty()) return &document;
+  Entry* entry = document.find(name);
+  if (!entry) {
+    document.entries.push_back({std::string(name), place, {place, Table{}}});
+    entry = &document.entries.back();
+  }
+  return std::get_if<Table>(&entry->value.data);
+}
+
+/// "material.hardening_modulus" -> ("material", "hardening_modulus"); a bare key finds its table by itself.
+std::pair<std::optional<std::string_view>, std::string_view> locate(std::string_view key) {
+  const auto dot = key.find('.');
+  if (dot == std::string_view::npos) return {table_of(key), key};
+  const std::string_view name = key.substr(dot + 1);
+  const auto home = table_of(name);
+  if (home && *home == key.substr(0, dot)) return {home, name};
+  return {std::nullopt, key};
+}
+
+Refusal unknown(std::string_view key) {
+  const std::string_view name = key.substr(key.find('.') == key.npos ? 0 : key.find('.') + 1);
+  std::vector<std::string_view> all;
+  for (const std::string_view table : table_names())
+    if (table != "fit" && table != "figure")
+      for (const std::string_view known : keys_of(table)) all.push_back(known);
+  const std::string_view near = nearest(name, all);
+  if (near.empty()) return {"unknown key", "allowed: " + listed(all)};
+  return {"unknown key", "did you mean " + std::string(near) + "?"};
+}
+
+}  // namespace
+
+void apply_overrides(Table& document, const std::vector<std::pair<std::string, std::string>>& set,
+                     Problems& problems) {
+  for (const auto& [key, text] : set) {
+    const Value value = read_value(key, text);
+    const auto [table_name, name] = locate(key);
+    if (!table_name) {
+      problems.add(value.place, key, text, unknown(key));
+      continue;
+    }
+    Table* table = open_table(document, *table_name, value.place);
+    if (!table) continue;  // said where tables are read
+    if (const mpm::Quantity* row = mpm::find_quantity(name); row && !row->alternative.empty())
+      std::erase_if(table->entries, [&](const Entry& entry) { return entry.key == row->alternative; });
+    if (Entry* entry = table->find(name))
+      *entry = {entry->key, value.place, value};
+    else
+      table->entries.push_back({std::string(name), value.place, value});
+  }
+}
+
+}  // namespace mpmstudy

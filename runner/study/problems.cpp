@@ -1,0 +1,35 @@
+#include "runner/study/problems.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "runner/study/study.hpp"
+
+namespace mpmstudy {
+
+void Problems::add(const Place& place, std::string_view key, std::string_view value, const Refusal& refusal) {
+  keep(place, std::string(key) + " = " + std::string(value) + ": " + refusal.wrong + "; " + refusal.allowed);
+}
+
+void Problems::add(const Place& place, std::string_view key, const Refusal& refusal) {
+  keep(place, std::string(key) + ": " + refusal.wrong + "; " + refusal.allowed);
+}
+
+void Problems::keep(const Place& place, std::string text) {
+  text = place.text() + ": " + text;
+  const auto same = [&](const Line& line) { return line.text == text; };
+  if (std::none_of(lines_.begin(), lines_.end(), same)) lines_.push_back({place, std::move(text)});
+}
+
+void Problems::throw_if_any() const {
+  if (lines_.empty()) return;
+  std::vector<Line> sorted = lines_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Line& a, const Line& b) {
+    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+  });
+  std::string text;
+  for (const Line& line : sorted) text += (text.empty() ? "" : "\n") + line.text;
+  throw StudyError(text);
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,40 @@
+#pragma once
+/// What is wrong with a study file, collected: a user sees everything at once.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runner/study/document.hpp"
+
+namespace mpmstudy {
+
+/// What is wrong with a value, and what it may be.
+struct Refusal {
+  std::string wrong;
+  std::string allowed;
+};
+
+class Problems {
+ public:
+  /// "place: key = value: wrong; allowed". The same line is kept once.
+  void add(const Place&, std::string_view key, std::string_view value, const Refusal&);
+  void add(std::string_view key, const Value& value, const Refusal& refusal) {
+    add(value.place, key, value.written(), refusal);
+  }
+  /// About a key as a whole: "place: key: wrong; allowed".
+  void add(const Place&, std::string_view key, const Refusal&);
+
+  bool empty() const { return lines_.empty(); }
+  /// Throws StudyError with a line each, in the order of the file; does nothing if there is none.
+  void throw_if_any() const;
+
+ private:
+  struct Line {
+    Place place;
+    std::string text;
+  };
+  void keep(const Place&, std::string text);
+  std::vector<Line> lines_;
+};
+
+}  // namespace mpmstudy

@@ -1,0 +1,225 @@
+#include <algorithm>
+
+#include "runner/study/combine.hpp"
+#include "runner/study/overrides.hpp"
+#include "runner/study/quantity_text.hpp"
+#include "runner/study/requests.hpp"
+#include "runner/study/scenes.hpp"
+#include "runner/study/schema.hpp"
+#include "runner/study/study.hpp"
+#include "runner/study/units.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// Reads one document, top to bottom; every part adds what is wrong with it and the rest goes on.
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, const ReadOptions& options)
+      : options_(options), document_(read_document(path)), top_{path.string(), 1, 1} {
+    study_.path = path;
+  }
+
+  Study read() {
+    apply_overrides(document_, options_.set, problems_);
+    read_top();
+    read_material();
+    read_parameters();
+    read_snapshots();
+    read_requests();
+    check_complete();
+    const auto sweep = read_sweep(table("sweep"), problems_);
+    const auto swept = swept_axes(request_);
+    for (const Axis* axis : swept) study_.swept.emplace_back(axis->name());
+    std::optional<std::uint64_t> jobs;
+    if (sweep) jobs = count_jobs(*sweep, swept, options_.most_jobs, top_, problems_);
+    problems_.throw_if_any();
+    study_.scenes = build_scenes(request_, Combinations(*sweep, swept, *jobs), problems_);
+    problems_.throw_if_any();
+    return std::move(study_);
+  }
+
+ private:
+  const Table* table(std::string_view name) const {
+    const Entry* entry = document_.find(name);
+    return entry ? entry->value.table() : nullptr;
+  }
+  /// Where a key that `name` lacks would have to be written.
+  Place place_of_table(std::string_view name) const {
+    const Entry* entry = document_.find(name);
+    return entry ? entry->place : top_;
+  }
+
+  void read_top() {
+    if (const Entry* schema = document_.find("schema")) {
+      const auto* number = std::get_if<std::int64_t>(&schema->value.data);
+      if (!number || *number != schema_version)
+        problems_.add("schema", schema->value,
+                      {"not a schema that this program reads", "allowed: " + std::to_string(schema_version)});
+    } else {
+      problems_.add(top_, "schema", {"missing", "write schema = " + std::to_string(schema_version)});
+    }
+    if (const auto name = required_string(document_, top_, "name", "the name of the study", problems_)) {
+      study_.name = *name;
+      if (!is_file_name(*name))
+        problems_.add("name", document_.find("name")->value,
+                      {"cannot be a study's name", "allowed: letters, digits, '-', '_' and '.'"});
+    }
+    study_.title = study_.name;
+    if (document_.find("title"))
+      study_.title = required_string(document_, top_, "title", "a line of text", problems_).value_or("");
+    request_.place = top_;
+    if (const auto name =
+            required_string(document_, top_, "scene", listed(mpm::scene_kind_names()), problems_)) {
+      request_.place = document_.find("scene")->value.place;
+      kind_ = mpm::scene_kind_from(*name);
+      if (!kind_)
+        problems_.add("scene", document_.find("scene")->value,
+                      unknown_word(*name, "scene", mpm::scene_kind_names()));
+    }
+    if (kind_) request_.kind = study_.kind = *kind_;
+    check_keys(document_, "", kind_, problems_);
+  }
+
+  void read_material() {
+    const Table* parameters = table("parameters");
+    const Entry* entry = parameters ? parameters->find("material") : nullptr;
+    const auto names = mpm::material_names();
+    if (!entry) {
+      problems_.add(place_of_table("parameters"), "material", {"missing", "one of: " + listed(names)});
+    } else if (const std::string* name = entry->value.string(); !name) {
+      problems_.add("material", entry->value, {"not one name", "allowed: " + listed(names)});
+    } else if (std::find(names.begin(), names.end(), *name) == names.end()) {
+      problems_.add("material", entry->value, unknown_word(*name, "material", names));
+    } else {
+      request_.material = mpm::named_material(*name);
+    }
+  }
+
+  /// Every table that has rows of the parameter table, and [sweep], [search]: keys, then values.
+  void read_parameters() {
+    for (const Entry& entry : document_.entries) {
+      const auto tables = table_names();
+      if (std::find(tables.begin(), tables.end(), entry.key) == tables.end() || keys_of(entry.key).empty())
+        continue;
+      if (entry.key == "fit" || entry.key == "figure") continue;
+      const Table* entries = entry.value.table();
+      if (!entries) {
+        problems_.add(entry.place, entry.key, entry.value.written(),
+                      {"not a table", "write [" + entry.key + "]"});
+        continue;
+      }
+      check_keys(*entries, entry.key, kind_, problems_);
+      for (const Entry& one : entries->entries) read_row(entry.key, one);
+    }
+  }
+
+  void read_row(std::string_view table, const Entry& entry) {
+    if (entry.key == "accuracy" && table == "numerics") {
+      problems_.add(entry.place, entry.key, entry.value.written(),
+                    {"choosing the cell by an accuracy is not supported yet", "give cell_size = \"0.1 um\""});
+      return;
+    }
+    std::optional<Axis> axis;
+    if (const mpm::Quantity* row = mpm::find_quantity(entry.key); row && table_name(row->section) == table) {
+      said_.push_back(entry.key);
+      if (kind_ && !row->belongs_to(*kind_)) return;  // said by check_keys
+      axis = read_axis(*row, entry, units_, problems_);
+    } else if (const mpm::Choice* choice = mpm::find_choice(entry.key);
+               choice && table_name(choice->section) == table) {
+      said_.push_back(entry.key);
+      if (kind_ && !choice->belongs_to(*kind_)) return;
+      axis = read_axis(*choice, entry, problems_);
+    }
+    if (!axis) return;
+    if (!axis->swept && entry.place.line > 0) fixed_.push_back(entry.key);
+    study_.given.push_back(entry.key);
+    request_.axes.push_back(std::move(*axis));
+  }
+
+  void read_snapshots() {
+    const Table* measure = table("measure");
+    const Entry* entry = measure ? measure->find("snapshots") : nullptr;
+    if (!entry) return;
+    const List* list = entry->value.list();
+    if (!list) {
+      problems_.add("snapshots", entry->value, {"not a list", "allowed: times such as [\"1 ns\", \"2 ns\"]"});
+      return;
+    }
+    for (const Value& value : *list) {
+      const Number time = read_quantity(value, {"s", mpm::Range::non_negative}, units_);
+      if (const auto* refusal = std::get_if<Refusal>(&time))
+        problems_.add("snapshots", value, *refusal);
+      else
+        request_.snapshots.push_back({std::get<double>(time), value.place});
+    }
+  }
+
+  void read_requests() {
+    const RequestContext context{kind_, fixed_};
+    study_.fits = read_fits(document_, context, problems_);
+    study_.figures = read_figures(document_, context, problems_);
+    study_.search = read_search(document_, kind_, units_, problems_);
+    if (study_.search) place_search();
+  }
+
+  /// A searched quantity is not given; until a search says otherwise, scenes hold its lower bound.
+  void place_search() {
+    const std::string& name = study_.search->critical;
+    const Table& search = *table("search");
+    if (says(name)) {
+      problems_.add("critical", search.find("critical")->value,
+                    {"is looked for and given", "remove " + name + " from the file, or [search]"});
+      return;
+    }
+    Axis axis;
+    axis.quantity = mpm::find_quantity(name);
+    axis.place = axis.value_place = search.find("critical")->value.place;
+    axis.points = {{study_.search->lower, axis.place}};
+    request_.axes.push_back(std::move(axis));
+    said_.push_back(name);
+  }
+
+  bool says(std::string_view name) const {
+    return std::find(said_.begin(), said_.end(), name) != said_.end();
+  }
+
+  /// Everything that has no default is there, once.
+  void check_complete() {
+    if (!kind_) return;
+    for (const mpm::Quantity& row : mpm::quantities()) {
+      if (!row.required || row.derived || !row.belongs_to(*kind_)) continue;
+      const bool alternative = !row.alternative.empty() && says(row.alternative);
+      const std::string_view home = table_name(row.section);
+      const std::string other = row.alternative.empty() ? "" : " (or " + std::string(row.alternative) + ")";
+      if (says(row.name) && alternative) {
+        const Entry* entry = table(home)->find(row.name);
+        problems_.add(entry->place, row.name, entry->value.written(),
+                      {"given twice, also by " + std::string(row.alternative), "give one of the two"});
+      } else if (!says(row.name) && !alternative) {
+        problems_.add(place_of_table(home), std::string(row.name) + other,
+                      {"missing", "[" + std::string(home) + "] needs it: " + std::string(row.meaning) + ", " +
+                                      allowed_quantity({row.unit, row.range})});
+      }
+    }
+  }
+
+  const ReadOptions& options_;
+  Table document_;
+  Place top_;
+  Units units_;
+  Problems problems_;
+  Study study_;
+  SceneRequest request_;
+  std::optional<mpm::SceneKind> kind_;
+  std::vector<std::string> said_;   ///< rows of the parameter table that the file has, readable or not
+  std::vector<std::string> fixed_;  ///< rows that the file itself gives one value
+};
+
+}  // namespace
+
+Study read_study(const std::filesystem::path& path, const ReadOptions& options) {
+  return Reader(path, options).read();
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,231 @@
+#include "runner/study/requests.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "runner/study/quantity_text.hpp"
+#include "runner/study/schema.hpp"
+
+namespace mpmstudy {
+namespace {
+
+constexpr std::array<std::string_view, 2> models = {"linear", "quadratic"};
+constexpr std::array<std::string_view, 3> figure_kinds = {"history", "xy", "fields"};
+constexpr std::array<std::string_view, 4> outcomes = {"collapsed", "partial", "ejected", "arrested"};
+
+/// Result columns of the catalog's view `jobs`, and the names of its view `metrics`.
+constexpr std::string_view results[] = {"collapsibility",
+                                        "final_area_m2",
+                                        "initial_area_m2",
+                                        "energy_error",
+                                        "particles",
+                                        "steps",
+                                        "wall_s",
+                                        "cpu_s",
+                                        "shock_normal_stress_Pa",
+                                        "shock_pressure_Pa",
+                                        "shock_von_mises_Pa",
+                                        "plastic_wave_speed_m_s",
+                                        "elastic_wave_speed_m_s",
+                                        "free_surface_speed_m_s",
+                                        "plateau_noise",
+                                        "stop_radius_m",
+                                        "stop_time_s",
+                                        "roundness",
+                                        "jet_speed_m_s",
+                                        "jet_impact_time_s",
+                                        "hot_spot_work_J_m3",
+                                        "hot_spot_x_m",
+                                        "hot_spot_y_m",
+                                        "ejected_mass_kg_m",
+                                        "ejecta_speed_m_s",
+                                        "aspect_ratio",
+                                        "lower_upper_area_ratio"};
+
+/// Columns of mpm::Snapshot.
+constexpr std::string_view fields[] = {"velocity_x",   "velocity_y",
+                                       "density",      "pressure",
+                                       "stress_xx",    "stress_yy",
+                                       "stress_xy",    "stress_zz",
+                                       "von_mises",    "equivalent_plastic_strain",
+                                       "plastic_work", "specific_internal_energy",
+                                       "temperature"};
+
+std::span<const std::string_view> all_results() { return results; }
+std::span<const std::string_view> all_fields() { return fields; }
+
+/// One word out of a list, required.
+template <class Words>
+std::string read_word(const Entry& parent, const Table& table, std::string_view key, std::string_view what,
+                      const Words& words, Problems& problems) {
+  const auto text = required_string(table, parent.place, key, what, problems);
+  if (!text) return {};
+  if (std::find(words.begin(), words.end(), *text) == words.end())
+    problems.add(key, table.find(key)->value, unknown_word(*text, what, words));
+  return *text;
+}
+
+/// x of a fit or a figure: a quantity that the study varies.
+std::string read_x(const Entry& parent, const Table& table, const RequestContext& context,
+                   Problems& problems) {
+  const auto name = required_string(table, parent.place, "x", "a swept quantity", problems);
+  if (!name) return {};
+  std::vector<std::string_view> names;
+  for (const mpm::Quantity& row : mpm::quantities())
+    if (!context.kind || row.belongs_to(*context.kind)) names.push_back(row.name);
+  const Value& value = table.find("x")->value;
+  if (std::find(names.begin(), names.end(), *name) == names.end())
+    problems.add("x", value, unknown_word(*name, "quantity", names));
+  else if (std::find(context.fixed.begin(), context.fixed.end(), *name) != context.fixed.end())
+    problems.add("x", value, {"has one value in this study", "sweep it, or take a quantity that is swept"});
+  return *name;
+}
+
+/// Calls read(entry, table) for every [[name]].
+template <class Read>
+void for_each_table(const Table& document, std::string_view name, Problems& problems, Read read) {
+  const Entry* entry = document.find(name);
+  if (!entry) return;
+  const List* list = entry->value.list();
+  const bool tables =
+      list && std::all_of(list->begin(), list->end(), [](const Value& v) { return v.table() != nullptr; });
+  if (!tables) {
+    problems.add(entry->place, name, {"not an array of tables", "write [[" + std::string(name) + "]]"});
+    return;
+  }
+  for (const Value& value : *list) {
+    const Entry one{entry->key, value.place, value};
+    check_keys(*value.table(), name, std::nullopt, problems);
+    read(one, *value.table());
+  }
+}
+
+/// A number of [search] in the unit of its critical quantity.
+std::optional<double> read_bound(std::string_view key, const Value& value, const mpm::Quantity& row,
+                                 mpm::Range range, const Units& units, Problems& problems) {
+  const Number number = read_quantity(value, {row.unit, range}, units);
+  if (const auto* refusal = std::get_if<Refusal>(&number)) {
+    problems.add(key, value, *refusal);
+    return std::nullopt;
+  }
+  return std::get<double>(number);
+}
+
+void read_between(const Entry& parent, const Table& table, const mpm::Quantity& row, const Units& units,
+                  SearchRequest& search, Problems& problems) {
+  const Refusal shape{"not a bracket", "allowed: two quantities, the smaller first"};
+  const Entry* entry = table.find("between");
+  if (!entry) {
+    problems.add(parent.place, "between", {"missing", shape.allowed});
+    return;
+  }
+  const List* list = entry->value.list();
+  if (!list || list->size() != 2) {
+    problems.add("between", entry->value, shape);
+    return;
+  }
+  const auto lower = read_bound("between", (*list)[0], row, row.range, units, problems);
+  const auto upper = read_bound("between", (*list)[1], row, row.range, units, problems);
+  if (!lower || !upper) return;
+  if (!(*lower < *upper)) problems.add("between", entry->value, shape);
+  search.lower = *lower;
+  search.upper = *upper;
+}
+
+}  // namespace
+
+bool is_file_name(std::string_view name) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  };
+  return !name.empty() && name.size() <= 100 && name[0] != '.' &&
+         std::all_of(name.begin(), name.end(), plain);
+}
+
+std::optional<std::string> required_string(const Table& table, const Place& place, std::string_view key,
+                                           std::string_view what, Problems& problems) {
+  const Entry* entry = table.find(key);
+  if (!entry) {
+    problems.add(place, key, {"missing", "give " + std::string(key) + " = \"...\": " + std::string(what)});
+    return std::nullopt;
+  }
+  const std::string* text = entry->value.string();
+  if (!text || text->empty()) {
+    problems.add(key, entry->value, {text ? "empty" : "not a string", "allowed: " + std::string(what)});
+    return std::nullopt;
+  }
+  return *text;
+}
+
+std::vector<FitRequest> read_fits(const Table& document, const RequestContext& context, Problems& problems) {
+  std::vector<FitRequest> fits;
+  for_each_table(document, "fit", problems, [&](const Entry& entry, const Table& table) {
+    FitRequest fit;
+    fit.x = read_x(entry, table, context, problems);
+    fit.y = read_word(entry, table, "y", "result", all_results(), problems);
+    fit.model = read_word(entry, table, "model", "model", models, problems);
+    fits.push_back(fit);
+  });
+  return fits;
+}
+
+std::vector<FigureRequest> read_figures(const Table& document, const RequestContext& context,
+                                        Problems& problems) {
+  std::vector<FigureRequest> figures;
+  for_each_table(document, "figure", problems, [&](const Entry& entry, const Table& table) {
+    FigureRequest figure;
+    figure.name =
+        required_string(table, entry.place, "name", "the stem of a file name", problems).value_or("");
+    if (!figure.name.empty() && !is_file_name(figure.name))
+      problems.add("name", table.find("name")->value,
+                   {"cannot be a file's name", "allowed: letters, digits, '-', '_' and '.'"});
+    for (const FigureRequest& other : figures)
+      if (!figure.name.empty() && other.name == figure.name)
+        problems.add("name", table.find("name")->value, {"two figures of one name", "give each its own"});
+    if (table.find("title"))
+      figure.title = required_string(table, entry.place, "title", "a line of text", problems).value_or("");
+    figure.kind = read_word(entry, table, "kind", "kind of figure", figure_kinds, problems);
+    const auto refuse = [&](std::string_view key) {
+      if (const Entry* extra = table.find(key))
+        problems.add(key, extra->value,
+                     {"a figure of kind " + figure.kind + " has no " + std::string(key), "remove it"});
+    };
+    if (figure.kind == "xy") {
+      figure.x = read_x(entry, table, context, problems);
+      figure.y = read_word(entry, table, "y", "result", all_results(), problems);
+    } else if (figure.kind == "fields") {
+      refuse("x");
+      figure.y = read_word(entry, table, "y", "field", all_fields(), problems);
+    } else if (figure.kind == "history") {
+      refuse("x");
+      refuse("y");
+    }
+    figures.push_back(figure);
+  });
+  return figures;
+}
+
+std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind> kind,
+                                         const Units& units, Problems& problems) {
+  const Entry* entry = document.find("search");
+  if (!entry || !entry->value.table()) return std::nullopt;
+  const Table& table = *entry->value.table();
+  SearchRequest search;
+  std::vector<std::string_view> names;
+  for (const mpm::Quantity& row : mpm::quantities())
+    if (!kind || row.belongs_to(*kind)) names.push_back(row.name);
+  search.critical = read_word(*entry, table, "critical", "quantity", names, problems);
+  search.outcome = read_word(*entry, table, "outcome", "outcome", outcomes, problems);
+  const mpm::Quantity* row = mpm::find_quantity(search.critical);
+  if (!row) return std::nullopt;
+  read_between(*entry, table, *row, units, search, problems);
+  if (const Entry* tolerance = table.find("tolerance"))
+    search.tolerance =
+        read_bound("tolerance", tolerance->value, *row, mpm::Range::positive, units, problems).value_or(0);
+  else
+    problems.add(entry->place, "tolerance", {"missing", "give the width at which the search ends"});
+  return search;
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,35 @@
+#pragma once
+/// What a study asks for beside its runs: [[fit]], [[figure]], [search].
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libmpm/scene/parameters.hpp"
+#include "runner/study/problems.hpp"
+#include "runner/study/study.hpp"
+#include "runner/study/units.hpp"
+
+namespace mpmstudy {
+
+/// `kind`: empty if the scene is unknown. `fixed`: quantities that a fit or a figure may not use as x because
+/// the file gives them one value only.
+struct RequestContext {
+  std::optional<mpm::SceneKind> kind;
+  std::vector<std::string> fixed;
+};
+
+std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);
+std::vector<FigureRequest> read_figures(const Table& document, const RequestContext&, Problems&);
+
+/// Empty if there is no [search], or after adding problems.
+std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
+                                         Problems&);
+
+/// A name that can be a file's: letters, digits, '-', '_', '.', not first a '.'.
+bool is_file_name(std::string_view);
+
+/// A string that must be there. Empty after adding a problem.
+std::optional<std::string> required_string(const Table&, const Place&, std::string_view key,
+                                           std::string_view what, Problems&);
+
+}  // namespace mpmstudy

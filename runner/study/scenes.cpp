@@ -1,0 +1,139 @@
+#include "runner/study/scenes.hpp"
+
+#include <algorithm>
+
+#include "runner/study/decimal.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// The period of the area history where a study says nothing, as a share of end_time.
+constexpr double default_area_samples = 320;
+
+/// After so many jobs with problems the rest would tell a user nothing new.
+constexpr int most_bad_jobs = 20;
+
+constexpr std::size_t not_swept = static_cast<std::size_t>(-1);
+
+struct Assignment {
+  const Axis* axis = nullptr;
+  std::size_t column = not_swept;  ///< of Combinations
+
+  const Point& point(const Combinations& combinations, std::uint64_t job) const {
+    return column == not_swept ? axis->points[0] : combinations.at(job, column);
+  }
+};
+
+/// In the order of the parameter table, quantities first: later rows may be made of earlier ones.
+std::vector<Assignment> assignments(const SceneRequest& request) {
+  std::vector<Assignment> unordered;
+  std::size_t column = 0;
+  for (const Axis& axis : request.axes) unordered.push_back({&axis, axis.swept ? column++ : not_swept});
+  std::vector<Assignment> ordered;
+  const auto take = [&](std::string_view name) {
+    for (const Assignment& one : unordered)
+      if (one.axis->name() == name) ordered.push_back(one);
+  };
+  for (const mpm::Quantity& row : mpm::quantities()) take(row.name);
+  for (const mpm::Choice& row : mpm::choices()) take(row.name);
+  return ordered;
+}
+
+mpm::Scene base_scene(const SceneRequest& request) {
+  mpm::Scene scene;
+  scene.kind = request.kind;
+  scene.material = request.material;
+  scene.numerics = mpm::default_numerics(request.kind);
+  for (const Point& snapshot : request.snapshots) scene.measures.snapshots.push_back(snapshot.value);
+  auto& times = scene.measures.snapshots;
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return scene;
+}
+
+/// Puts problems of one job where their values were written.
+class Reporter {
+ public:
+  Reporter(const SceneRequest& request, const std::vector<Assignment>& assignments,
+           const Combinations& combinations, Problems& problems)
+      : request_(request), assignments_(assignments), combinations_(combinations), problems_(problems) {}
+
+  /// Returns whether the job has a problem.
+  bool check(const mpm::Scene& scene, std::uint64_t job) {
+    bool bad = false;
+    for (const Point& snapshot : request_.snapshots)
+      if (snapshot.value > scene.end_time) {
+        bad = true;
+        problems_.add(snapshot.place, "snapshots", shortest_text(snapshot.value) + " s",
+                      {"after the end of the run",
+                       "allowed: up to end_time = " + shortest_text(scene.end_time) + " s"});
+      }
+    for (const mpm::Problem& problem : mpm::find_problems(scene)) {
+      bad = true;
+      problems_.add(place_of(problem.parameter, job), problem.parameter, problem.value,
+                    {"cannot be run", "allowed: " + problem.allowed});
+    }
+    return bad;
+  }
+
+ private:
+  Place place_of(std::string_view parameter, std::uint64_t job) const {
+    const mpm::Quantity* row = mpm::find_quantity(parameter);
+    for (const Assignment& one : assignments_)
+      if (one.axis->name() == parameter || (row && one.axis->name() == row->alternative))
+        return one.point(combinations_, job).place;
+    if (parameter == "snapshots" && !request_.snapshots.empty()) return request_.snapshots[0].place;
+    return request_.place;
+  }
+
+  const SceneRequest& request_;
+  const std::vector<Assignment>& assignments_;
+  const Combinations& combinations_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+std::vector<const Axis*> swept_axes(const SceneRequest& request) {
+  std::vector<const Axis*> swept;
+  for (const Axis& axis : request.axes)
+    if (axis.swept) swept.push_back(&axis);
+  return swept;
+}
+
+std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinations& combinations,
+                                     Problems& problems) {
+  const std::vector<Assignment> ordered = assignments(request);
+  for (const Assignment& one : ordered) {
+    if (one.column == not_swept || !one.axis->interval) continue;
+    for (const Point& point : combinations.points(one.column)) {
+      const mpm::Quantity& row = *one.axis->quantity;
+      const Number number = in_range(point.value, {row.unit, row.range});
+      if (const auto* refusal = std::get_if<Refusal>(&number))
+        problems.add(point.place, row.name, one.axis->written,
+                     {"makes " + shortest_text(point.value) + ", " + refusal->wrong, refusal->allowed});
+    }
+  }
+  if (!problems.empty()) return {};
+
+  const mpm::Scene base = base_scene(request);
+  Reporter reporter(request, ordered, combinations, problems);
+  std::vector<mpm::Scene> scenes;
+  scenes.reserve(combinations.jobs());
+  int bad_jobs = 0;
+  for (std::uint64_t job = 0; job < combinations.jobs() && bad_jobs < most_bad_jobs; ++job) {
+    mpm::Scene& scene = scenes.emplace_back(base);
+    for (const Assignment& one : ordered) {
+      const double value = one.point(combinations, job).value;
+      if (one.axis->quantity)
+        one.axis->quantity->set(scene, value);
+      else
+        one.axis->choice->set(scene, static_cast<std::size_t>(value));
+    }
+    if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
+    bad_jobs += reporter.check(scene, job);
+  }
+  return scenes;
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,28 @@
+#pragma once
+/// From what a study says to scenes that can be run.
+#include <string>
+#include <vector>
+
+#include "libmpm/scene/scene.hpp"
+#include "runner/study/axis.hpp"
+#include "runner/study/combine.hpp"
+#include "runner/study/problems.hpp"
+
+namespace mpmstudy {
+
+/// Everything that a study says about its scenes.
+struct SceneRequest {
+  mpm::SceneKind kind{};
+  mpm::Material material;
+  std::vector<Axis> axes;        ///< in the order of the file
+  std::vector<Point> snapshots;  ///< [s]
+  Place place;                   ///< of `scene`, for problems with values that the file does not name
+};
+
+/// The swept ones of the request's axes, in the order of the file.
+std::vector<const Axis*> swept_axes(const SceneRequest&);
+
+/// One scene per job. What mpm::find_problems has to say is added at the place of the value it is about.
+std::vector<mpm::Scene> build_scenes(const SceneRequest&, const Combinations&, Problems&);
+
+}  // namespace mpmstudy

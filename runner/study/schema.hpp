@@ -1,0 +1,52 @@
+#pragma once
+/// What a study file may say and where: the parameter table of libmpm, and the few keys beside it.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libmpm/scene/parameters.hpp"
+#include "runner/study/problems.hpp"
+
+namespace mpmstudy {
+
+inline constexpr int schema_version = 1;
+
+/// "parameters", "material", ...: the table of a study file that a section is.
+std::string_view table_name(mpm::Section);
+
+/// Tables of a study file; "" is its top. [[fit]] and [[figure]] are arrays of tables.
+std::vector<std::string_view> table_names();
+
+/// The keys of a table. With a kind: those that this kind of scene has.
+std::vector<std::string_view> keys_of(std::string_view table, std::optional<mpm::SceneKind> = {});
+
+/// The table that a key can be written in, for keys that only one of the plain tables has; empty otherwise.
+std::optional<std::string_view> table_of(std::string_view key);
+
+/// What to say of a key that `table` does not have: the nearest one, or the table that it belongs to.
+Refusal unknown_key(std::string_view key, std::string_view table, std::optional<mpm::SceneKind>);
+
+/// Adds a problem for every entry that `table` does not have.
+void check_keys(const Table&, std::string_view table, std::optional<mpm::SceneKind>, Problems&);
+
+/// The candidate with the smallest edit distance, if that is small; otherwise empty.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// "a, b, c".
+template <class Words>
+std::string listed(const Words& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+/// For a word that is none of the allowed ones: "did you mean ...? allowed: ...".
+template <class Words>
+Refusal unknown_word(std::string_view word, std::string_view what, const Words& words) {
+  const std::string_view near = nearest(word, std::vector<std::string_view>(words.begin(), words.end()));
+  return {"no such " + std::string(what),
+          (near.empty() ? "" : "did you mean \"" + std::string(near) + "\"? ") + "allowed: " + listed(words)};
+}
+
+}  // namespace mpmstudy
