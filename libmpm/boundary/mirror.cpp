@@ -1,0 +1,48 @@
+#include "libmpm/boundary/mirror.hpp"
+
+namespace mpm {
+namespace {
+
+/// Adds to each of two nodes the image of the other. Axis: 0 for a mirror across x, 1 across y.
+void join(Node& a, Node& b, int axis) {
+  const auto image = [axis](Vec2 v) {
+    v[axis] = -v[axis];
+    return v;
+  };
+  a.mass += b.mass;
+  a.velocity += image(b.velocity);
+  a.acceleration += image(b.acceleration);
+  b.mass = a.mass;
+  b.velocity = image(a.velocity);
+  b.acceleration = image(a.acceleration);
+}
+
+/// A node on the mirror: it and its image are one. Its doubled mass, momentum and force keep their ratios.
+void stop(Node& n, int axis) {
+  n.velocity[axis] = 0;
+  n.acceleration[axis] = 0;
+}
+
+}  // namespace
+
+void reflect_sides(Grid& grid, int top_row) {
+  const int right = grid.columns();
+  for (int j = -1; j <= top_row; ++j) {
+    stop(grid.at(0, j), 0);
+    join(grid.at(1, j), grid.at(-1, j), 0);
+    stop(grid.at(right, j), 0);
+    join(grid.at(right - 1, j), grid.at(right + 1, j), 0);
+  }
+}
+
+void reflect_impact_wall(Grid& grid, double time_step) {
+  for (int i = -1; i <= grid.columns() + 1; ++i) {
+    Node& wall = grid.at(i, 0);
+    const double momentum = wall.velocity.y() + time_step * wall.acceleration.y();
+    if (!(momentum < 0)) continue;
+    stop(wall, 1);
+    join(grid.at(i, 1), grid.at(i, -1), 1);
+  }
+}
+
+}  // namespace mpm

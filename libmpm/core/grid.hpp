@@ -1,0 +1,53 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "libmpm/core/tensor.hpp"
+
+namespace mpm {
+
+/// A node of the background grid. Between p2g and grid update it holds sums over particles, after it motion.
+struct Node {
+  double mass = 0;                   ///< sum, with what mirrors add [kg/m]
+  double own_mass = 0;               ///< sum, without it [kg/m]
+  Vec2 velocity = Vec2::Zero();      ///< momentum [kg/s], then velocity at the end of the step [m/s]
+  Vec2 acceleration = Vec2::Zero();  ///< internal force [N/m], then acceleration [m/s^2]
+};
+
+/// Uniform grid of nodes x = origin + (i hx, j hy), with one layer of ghost nodes below and on both sides
+/// (behind the mirrors) and as many rows upwards as the particles ask for. Rows are contiguous.
+class Grid {
+ public:
+  /// columns: cells across. A stencil may start one node outside of [0, columns].
+  Grid(Vec2 origin, Vec2 cell, int columns);
+
+  const Vec2& origin() const { return origin_; }
+  const Vec2& cell() const { return cell_; }                  ///< (hx, hy) [m]
+  const Vec2& inverse_cell() const { return inverse_cell_; }  ///< [1/m]
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }  ///< nodes j = -1 ... rows() - 2 exist
+  int stride() const { return stride_; }
+
+  /// Node (i, j), -1 <= i <= columns + 1, -1 <= j.
+  Node& at(int i, int j) { return nodes_[index(i, j)]; }
+  const Node& at(int i, int j) const { return nodes_[index(i, j)]; }
+
+  /// Nodes j <= top exist after this; keeps what there is.
+  void grow_to_row(int top);
+  void clear();
+
+  std::vector<Node>& nodes() { return nodes_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(stride_) +
+           static_cast<std::size_t>(i + 1);
+  }
+
+ private:
+  Vec2 origin_, cell_, inverse_cell_;
+  int columns_, stride_, rows_ = 0;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace mpm

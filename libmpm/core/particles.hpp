@@ -1,0 +1,43 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "libmpm/core/tensor.hpp"
+
+namespace mpm {
+
+/// The material points, one column a quantity. Columns have the same length, apart from those of physics that
+/// a scene lacks, which are empty.
+struct Particles {
+  std::vector<Vec2> position;          ///< [m]
+  std::vector<Vec2> velocity;          ///< [m/s]
+  std::vector<double> mass;            ///< per depth [kg/m], constant
+  std::vector<double> initial_volume;  ///< per depth, at the reference density [m^2], constant
+  std::vector<double>
+      dilation;  ///< J - 1 = rho0/rho - 1 [1]; near zero, so that small strains keep their digits
+  std::vector<double> energy;    ///< specific internal energy, carried at half steps (see step.hpp) [J/kg]
+  std::vector<double> pressure;  ///< of the equation of state [Pa]
+  std::vector<double> viscous_pressure;  ///< q >= 0 [Pa]
+  std::vector<PlaneTensor> deviator;     ///< s [Pa]
+  std::vector<double> plastic_strain;    ///< equivalent [1]
+  std::vector<double> plastic_work;      ///< per mass [J/kg]
+  std::vector<Vec2> half_size;           ///< of the particle's domain [m]
+  std::vector<PlaneTensor> back_stress;  ///< [Pa]; empty without kinematic hardening
+
+  std::size_t size() const { return position.size(); }
+  double density(std::size_t p) const { return mass[p] / volume(p); }                   ///< [kg/m^3]
+  double volume(std::size_t p) const { return initial_volume[p] * (1 + dilation[p]); }  ///< [m^2]
+
+  /// Total Cauchy stress, artificial viscosity included [Pa].
+  PlaneTensor stress(std::size_t p) const {
+    const double mean = -(pressure[p] + viscous_pressure[p]);
+    const PlaneTensor& s = deviator[p];
+    return {s.xx + mean, s.yy + mean, s.zz + mean, s.xy};
+  }
+
+  void reserve(std::size_t n);
+  /// Adds a particle at rest, without stress.
+  void add(Vec2 x, Vec2 v, double m, double v0, Vec2 half);
+};
+
+}  // namespace mpm

@@ -1,0 +1,11 @@
+#pragma once
+#include "libmpm/material/eos/temperature.hpp"
+#include "libmpm/simulation.hpp"
+#include "libmpm/step/state.hpp"
+
+namespace mpm {
+
+/// The fields of all particles, in the words of users.
+Snapshot snapshot_of(const State&, const Temperature&);
+
+}  // namespace mpm

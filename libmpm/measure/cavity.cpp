@@ -1,0 +1,74 @@
+#include "libmpm/measure/cavity.hpp"
+
+#include <cmath>
+
+namespace mpm {
+namespace {
+
+double center_of_mass_height(const Particles& ps) {
+  double mass = 0, moment = 0;
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    mass += ps.mass[p];
+    moment += ps.mass[p] * ps.position[p].y();
+  }
+  return moment / mass;
+}
+
+constexpr double window = 0.25;  ///< share of the run that counts as its end
+
+}  // namespace
+
+Cavity::Cavity(const Scene& s, const State& state, Observer& observer)
+    : observer_(observer),
+      contour_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.cell_size,
+               s.numerics.symmetry == Symmetry::half),
+      void_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,
+            s.numerics.particles_per_cell),
+      initial_offset_(contour_.centroid().y() - center_of_mass_height(state.particles)) {}
+
+void Cavity::after_step(const State& s, const StepReport&, double dt) { contour_.advance(s.grid, dt); }
+
+void Cavity::sample(const State& s) {
+  const AreaSample now{s.time, contour_.area(), void_.update(s)};
+  if (now.void_area == 0 && closed_time_ < 0) closed_time_ = s.time;
+  if (void_.joined_outside() && joined_time_ < 0) joined_time_ = s.time;
+  history_.push_back(now);
+  observer_.on_area(now);
+}
+
+void Cavity::finish(const State& s, RunResult& result) {
+  const double start = (1 - window) * s.time;
+  double count = 0, sum = 0, sum_of_squares = 0, difference = 0;
+  for (const AreaSample& a : history_) {
+    if (a.time < start) continue;
+    ++count;
+    sum += a.area;
+    difference += a.void_area - a.area;
+  }
+  const double final_area = sum / count;
+  for (const AreaSample& a : history_)
+    if (a.time >= start) sum_of_squares += (a.area - final_area) * (a.area - final_area);
+  const double error = std::hypot(std::sqrt(sum_of_squares / count), difference / count);
+  const double initial_area = history_.front().area;
+
+  result.initial_area = initial_area;
+  result.final_area = final_area;
+  result.final_area_error = error;
+  result.collapsibility = (initial_area - final_area) / initial_area;
+  result.collapsibility_error = error / initial_area;
+  result.outcome = history_.back().void_area == 0 ? "collapsed" : "partial";
+
+  auto& m = result.metrics;
+  m.push_back({"aspect_ratio", contour_.width() / contour_.height(), "1", {}});
+  m.push_back({"lower_upper_area_ratio", contour_.lower_upper_ratio(), "1", {}});
+  m.push_back({"centroid_shift_m",
+               contour_.centroid().y() - center_of_mass_height(s.particles) - initial_offset_,
+               "m",
+               {}});
+  m.push_back({"final_void_area_m2", history_.back().void_area, "m2", {}});
+  if (closed_time_ >= 0) m.push_back({"cavity_closed_time_s", closed_time_, "s", {}});
+  if (joined_time_ >= 0) m.push_back({"cavity_joined_outside_time_s", joined_time_, "s", {}});
+  result.area_history = std::move(history_);
+}
+
+}  // namespace mpm

@@ -1,0 +1,31 @@
+#pragma once
+#include "libmpm/measure/contour.hpp"
+#include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/void_area.hpp"
+
+namespace mpm {
+
+/// The cavity: its area by contour and by void, its form, and how much of it is left.
+///
+/// Final area: mean of the contour's area over the last quarter of the run. Its error: the scatter over that
+/// window (standard deviation) and the mean difference between the two areas, in quadrature. Outcome:
+/// `collapsed` if the void is gone at the end, else `partial`. Metrics: aspect_ratio (width / height),
+/// lower_upper_area_ratio, centroid_shift_m (along the impact, against the body's centre of mass),
+/// cavity_closed_time_s, cavity_joined_outside_time_s (each only if it happened), final_void_area_m2.
+class Cavity : public Measurement {
+ public:
+  Cavity(const Scene&, const State&, Observer&);
+  void after_step(const State&, const StepReport&, double dt) override;
+  void sample(const State&) override;
+  void finish(const State&, RunResult&) override;
+
+ private:
+  Observer& observer_;
+  Contour contour_;
+  VoidArea void_;
+  std::vector<AreaSample> history_;
+  double initial_offset_;  ///< centroid above the centre of mass [m]
+  double closed_time_ = -1, joined_time_ = -1;
+};
+
+}  // namespace mpm

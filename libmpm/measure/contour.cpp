@@ -1,0 +1,100 @@
+#include "libmpm/measure/contour.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "libmpm/shape/bspline2.hpp"
+
+namespace mpm {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Twice the signed area of a closed polygon, and its first moments times six.
+struct Moments {
+  double area2 = 0;
+  Vec2 moment6 = Vec2::Zero();
+};
+Moments moments(std::span<const Vec2> polygon) {
+  Moments m;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const double cross = a.x() * b.y() - b.x() * a.y();
+    m.area2 += cross;
+    m.moment6 += cross * (a + b);
+  }
+  return m;
+}
+
+}  // namespace
+
+Contour::Contour(Vec2 center, double radius, double cell_size, bool half) : half_(half) {
+  // An even number of steps a half turn, so that markers lie on the axis and at the height of the centre.
+  const int steps = 2 * std::max(8, static_cast<int>(std::ceil(2 * pi * radius / cell_size)));
+  const double turn = pi / steps;
+  const double outer = radius * std::sqrt(turn / std::sin(turn));  // polygon of 2 steps corners, area pi R^2
+  const int count = half ? steps + 1 : 2 * steps;
+  for (int k = 0; k < count; ++k) {
+    const double angle = k * turn - pi / 2;
+    Vec2 x = center + outer * Vec2(std::cos(angle), std::sin(angle));
+    if (k == 0 || k == steps) x.x() = center.x();  // on the mirror, to the last bit
+    markers_.push_back(x);
+  }
+}
+
+void Contour::advance(const Grid& grid, double dt) {
+  for (Vec2& x : markers_) {
+    const Stencil n = stencil_at<BSpline2>(grid, x, Vec2::Zero());
+    if (n.y.first < -1 || n.y.first + 4 > grid.rows())
+      continue;  // beyond every particle: nothing to move with
+    Vec2 velocity = Vec2::Zero();
+    double weight = 0;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) {
+        const Node& node = grid.at(n.x.first + i, n.y.first + j);
+        if (node.mass == 0) continue;
+        weight += n.weight(i, j);
+        velocity += n.weight(i, j) * node.velocity;
+      }
+    if (weight > 0) x += (dt / weight) * velocity;
+  }
+}
+
+std::vector<Vec2> Contour::closed() const {
+  std::vector<Vec2> all = markers_;
+  if (half_)
+    for (std::size_t k = markers_.size() - 2; k > 0; --k) all.emplace_back(-markers_[k].x(), markers_[k].y());
+  return all;
+}
+
+double Contour::area() const { return 0.5 * moments(closed()).area2; }
+
+double Contour::width() const {
+  const auto all = closed();
+  const auto [low, high] =
+      std::minmax_element(all.begin(), all.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+  return high->x() - low->x();
+}
+
+double Contour::height() const {
+  const auto [low, high] = std::minmax_element(markers_.begin(), markers_.end(),
+                                               [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  return high->y() - low->y();
+}
+
+Vec2 Contour::centroid() const {
+  const Moments m = moments(closed());
+  return m.moment6 / (3 * m.area2);
+}
+
+double Contour::lower_upper_ratio() const {
+  const auto all = closed();  // starts at the lowest marker; quarters have equal numbers of steps
+  const std::size_t quarter = all.size() / 4;
+  std::vector<Vec2> lower(all.begin() + 3 * quarter, all.end());
+  lower.insert(lower.end(), all.begin(), all.begin() + quarter + 1);
+  const std::vector<Vec2> upper(all.begin() + quarter, all.begin() + 3 * quarter + 1);
+  return moments(lower).area2 / moments(upper).area2;
+}
+
+}  // namespace mpm

@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include "libmpm/step/state.hpp"
+
+namespace mpm {
+
+/// A closed curve of marker points on the material that bounds the cavity, moved with the grid velocity.
+/// In half a scene the markers run over the right half, from the lowest point to the highest; the left half
+/// is their image.
+class Contour {
+ public:
+  /// Four markers a cell along the circle. Their polygon has the circle's area exactly.
+  Contour(Vec2 center, double radius, double cell_size, bool half);
+
+  /// x += dt v, with v = sum w v_i / sum w over the nodes that carry mass (quadratic B-spline weights).
+  /// Normalised, since a marker stands at the edge of the material, where some nodes are empty.
+  void advance(const Grid&, double dt);
+
+  double area() const;    ///< of the whole cavity [m^2], positive while the curve keeps its sense
+  double width() const;   ///< [m]
+  double height() const;  ///< [m]
+  Vec2 centroid() const;  ///< of the enclosed area [m]
+  /// Area below over area above the chord between the two markers that started at the height of the centre.
+  double lower_upper_ratio() const;
+
+  const std::vector<Vec2>& markers() const { return markers_; }
+
+ private:
+  std::vector<Vec2> closed() const;  ///< all markers of the whole curve, counter-clockwise
+
+  std::vector<Vec2> markers_;
+  bool half_;
+};
+
+}  // namespace mpm

@@ -1,0 +1,51 @@
+#include "libmpm/measure/energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mpm {
+
+Energy energy_of(const Particles& ps) {
+  Energy e;
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    e.kinetic += 0.5 * ps.mass[p] * ps.velocity[p].squaredNorm();
+    e.internal += ps.mass[p] * ps.energy[p];
+  }
+  return e;
+}
+
+Vec2 momentum_of(const Particles& ps) {
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.velocity[p];
+  return sum;
+}
+
+Balance::Balance(const State& s)
+    : initial_energy_(energy_of(s.particles).total()),
+      initial_momentum_(momentum_of(s.particles)),
+      momentum_scale_(initial_momentum_.norm()) {}
+
+void Balance::after_step(const State&, const StepReport& report, double) {
+  impulse_ += report.wall_impulse;
+  transfer_heat_ += report.transfer_heat;
+}
+
+void Balance::sample(const State& s) {
+  const double energy = std::abs(energy_of(s.particles).total() - initial_energy_) / initial_energy_;
+  const double momentum = (momentum_of(s.particles) - initial_momentum_ - impulse_).norm() / momentum_scale_;
+  // written so that a NaN stays
+  if (!(energy <= energy_error_)) energy_error_ = energy;
+  if (!(momentum <= momentum_error_)) momentum_error_ = momentum;
+}
+
+void Balance::finish(const State& s, RunResult& result) {
+  sample(s);
+  result.energy_error = energy_error_;
+  result.metrics.push_back({"energy_error", energy_error_, "1", {}});
+  result.metrics.push_back({"momentum_error", momentum_error_, "1", {}});
+  result.metrics.push_back({"transfer_heat_fraction", transfer_heat_ / initial_energy_, "1", {}});
+  result.metrics.push_back(
+      {"final_kinetic_fraction", energy_of(s.particles).kinetic / initial_energy_, "1", {}});
+}
+
+}  // namespace mpm

@@ -1,0 +1,38 @@
+#pragma once
+#include "libmpm/measure/measurement.hpp"
+
+namespace mpm {
+
+/// Kinetic and internal energy of the particles [J/m].
+struct Energy {
+  double kinetic = 0, internal = 0;
+  double total() const { return kinetic + internal; }
+};
+Energy energy_of(const Particles&);
+
+/// Momentum of the particles [kg/s].
+Vec2 momentum_of(const Particles&);
+
+/// Balance of energy and momentum. Walls at rest do no work, so kinetic + internal energy is constant;
+/// momentum changes by the walls' impulse. Errors are relative to what the body had at the start, and the
+/// largest of the run. Metrics: energy_error, momentum_error, transfer_heat_fraction (kinetic energy that the
+/// transfer turned into heat, over the initial energy), final_kinetic_fraction.
+class Balance : public Measurement {
+ public:
+  explicit Balance(const State&);
+  void after_step(const State&, const StepReport&, double dt) override;
+  void sample(const State&) override;
+  void finish(const State&, RunResult&) override;
+
+  double energy_error() const { return energy_error_; }
+
+ private:
+  double initial_energy_;
+  Vec2 initial_momentum_;
+  double momentum_scale_;
+  Vec2 impulse_ = Vec2::Zero();
+  double transfer_heat_ = 0;
+  double energy_error_ = 0, momentum_error_ = 0;
+};
+
+}  // namespace mpm

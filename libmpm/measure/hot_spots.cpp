@@ -1,0 +1,52 @@
+#include "libmpm/measure/hot_spots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace mpm {
+namespace {
+
+constexpr double share_above = 0.001;
+
+struct Spot {
+  double value;
+  Vec2 place;
+};
+
+/// The value that a thousandth of the mass exceeds, and the mass centre of that thousandth.
+Spot hottest(const Particles& ps, const std::vector<double>& value) {
+  std::vector<std::size_t> order(value.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return value[a] > value[b]; });
+  const double total = std::accumulate(ps.mass.begin(), ps.mass.end(), 0.0);
+  Spot spot{0, Vec2::Zero()};
+  double mass = 0;
+  for (const std::size_t p : order) {
+    mass += ps.mass[p];
+    spot.place += ps.mass[p] * ps.position[p];
+    spot.value = value[p];
+    if (mass >= share_above * total) break;
+  }
+  spot.place /= mass;
+  return spot;
+}
+
+}  // namespace
+
+void HotSpots::finish(const State& s, RunResult& result) {
+  const Particles& ps = s.particles;
+  std::vector<double> work(ps.size()), temperature(ps.size());
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    work[p] = ps.plastic_work[p] * ps.density(p);
+    temperature[p] = temperature_(ps.dilation[p], ps.energy[p]);
+  }
+  const Spot spot = hottest(ps, work);
+  result.metrics.push_back({"hot_spot_work_J_m3", spot.value, "J/m3", {}});
+  result.metrics.push_back({"hot_spot_x_m", spot.place.x(), "m", {}});
+  result.metrics.push_back({"hot_spot_y_m", spot.place.y(), "m", {}});
+  result.metrics.push_back({"hot_spot_temperature_K", hottest(ps, temperature).value, "K", {}});
+}
+
+}  // namespace mpm

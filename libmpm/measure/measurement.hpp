@@ -1,0 +1,18 @@
+#pragma once
+#include "libmpm/simulation.hpp"
+#include "libmpm/step/state.hpp"
+
+namespace mpm {
+
+/// One observable. Sees the state; changes nothing. Calls come in this order:
+///   after_step (every step), sample (every area_every and at the end), finish (once).
+class Measurement {
+ public:
+  virtual ~Measurement() = default;
+  /// `state.grid` still holds the nodal motion of the step.
+  virtual void after_step(const State&, const StepReport&, double /*dt*/) {}
+  virtual void sample(const State&) {}
+  virtual void finish(const State&, RunResult&) = 0;
+};
+
+}  // namespace mpm

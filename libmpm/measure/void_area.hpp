@@ -1,0 +1,49 @@
+#pragma once
+#include <vector>
+
+#include "libmpm/step/state.hpp"
+
+namespace mpm {
+
+/// The share of each node's cell that material fills: phi_i = sum V_p w_ip / (hx hy) with quadratic
+/// B-splines, with images behind the mirrors and behind the impact wall; 1 inside the body, 0 in the void
+/// [1].
+struct Indicator {
+  int columns, rows;             ///< nodes 0 ... columns, 0 ... rows
+  Vec2 cell;                     ///< [m]
+  std::vector<double> fraction;  ///< row by row
+
+  double at(int i, int j) const { return fraction[static_cast<std::size_t>(j * (columns + 1) + i)]; }
+};
+Indicator indicator_of(const State&);
+
+/// The cavity as the empty region (phi < 1/2) that is connected to where it was before.
+///
+/// Area: marching squares on phi, plus pi s^2 for a closed curve. phi is the material smeared by a kernel of
+/// variance s^2 an axis, which shifts a curve of curvature k by s^2 k/2 towards its centre; around a closed
+/// curve that takes pi s^2 from the area whatever its form (Gauss-Bonnet). s^2 = h^2 (1/4 + 1/6 - 1/(12
+/// n^2)): B-spline, linear interpolation, and particles (n a cell edge) that stand for squares.
+class VoidArea {
+ public:
+  /// Throws nothing. `full_width`: the whole block is modelled, not half of it.
+  VoidArea(Vec2 center, double radius, bool full_width, int particles_per_cell);
+
+  /// Follows the region and returns its area [m^2]; 0 once it is gone.
+  double update(const State&);
+
+  bool joined_outside() const { return joined_outside_; }  ///< the region reaches the free surface
+  bool touches_wall() const { return touches_wall_; }      ///< ... the impact wall
+
+ private:
+  void seed(const Indicator&, const Vec2& origin, std::vector<char>& region) const;
+
+  Vec2 center_;
+  double radius_;
+  bool full_width_;
+  int particles_per_cell_;
+  bool started_ = false, joined_outside_ = false, touches_wall_ = false;
+  int previous_columns_ = 0, previous_rows_ = 0;
+  std::vector<char> previous_;  ///< nodes of the region at the last update
+};
+
+}  // namespace mpm

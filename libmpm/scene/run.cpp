@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "libmpm/core/errors.hpp"
+#include "libmpm/io/snapshot.hpp"
+#include "libmpm/measure/energy.hpp"
+#include "libmpm/scene/build.hpp"
+#include "libmpm/scene/dispatch.hpp"
+#include "libmpm/simulation.hpp"
+
+namespace mpm {
+namespace {
+
+/// Times at which something is due: samples of the area and snapshots, in order, each once.
+class Schedule {
+ public:
+  explicit Schedule(const Scene& s) : scene_(s) {}
+
+  double next() const { return std::min({next_sample(), next_snapshot(), scene_.end_time}); }
+  /// True if due at time t; moves on.
+  bool sample_due(double t) { return t >= next_sample() && (++samples_, true); }
+  bool snapshot_due(double t) { return t >= next_snapshot() && (++snapshots_, true); }
+
+ private:
+  double next_sample() const { return samples_ * scene_.measures.area_every; }
+  double next_snapshot() const {
+    const auto& times = scene_.measures.snapshots;
+    return snapshots_ < times.size() ? times[snapshots_] : 2 * scene_.end_time;
+  }
+  const Scene& scene_;
+  std::size_t samples_ = 0, snapshots_ = 0;
+};
+
+/// The health of a run after a step; empty if it is well.
+std::string breakdown(const State& state, const StepReport& report, double energy_error) {
+  // rho0/rho of 1/4 is beyond the range of the equation of state; of 10, torn to nothing.
+  constexpr double lowest = -0.75, highest = 9;
+  std::ostringstream text;
+  if (!std::isfinite(report.largest_signal))
+    text << "a particle's state is not finite";
+  else if (report.smallest_dilation < lowest || report.largest_dilation > highest)
+    text << "density left its range: rho0/rho from " << 1 + report.smallest_dilation << " to "
+         << 1 + report.largest_dilation << ", allowed " << 1 + lowest << " to " << 1 + highest;
+  else if (!(energy_error < 0.01))
+    text << "energy error " << energy_error << ", allowed 0.01";
+  else
+    return {};
+  text << " (step " << state.step << ", t = " << state.time << " s); a smaller cfl or cell_size may help";
+  return text.str();
+}
+
+void check(const Scene& scene) {
+  const auto problems = find_problems(scene);
+  if (problems.empty()) return;
+  std::string text;
+  for (const Problem& p : problems)
+    text += (text.empty() ? "" : "\n") + p.parameter + " = " + p.value + ": must be " + p.allowed;
+  throw InputError(text);
+}
+
+}  // namespace
+
+RunResult run(const Scene& scene, Observer& observer) {
+  check(scene);
+  State state = build_state(scene);
+  const MaterialModel material = build_material(scene);
+  const StepFunction step = step_for(scene.numerics);
+  const Temperature temperature{material.eos, scene.material.specific_heat,
+                                scene.material.initial_temperature};
+  Balance balance(state);
+  const auto measurements = measurements_for(scene, state, observer);
+  Schedule schedule(scene);
+
+  RunResult result;
+  result.particles = static_cast<std::int64_t>(state.particles.size());
+  const auto observe = [&] {
+    if (schedule.sample_due(state.time) || state.time >= scene.end_time) {
+      balance.sample(state);
+      for (const auto& m : measurements) m->sample(state);
+    }
+    if (schedule.snapshot_due(state.time)) observer.on_snapshot(snapshot_of(state, temperature));
+  };
+  observe();
+
+  const double cell = state.grid.cell().minCoeff();
+  // Before the first step nothing is stressed: the fastest signal is that of the impact, with its viscosity.
+  const double sound = std::sqrt(material.eos.sound_speed_squared(MieGrueneisen::Volume(0), 0) +
+                                 4 * material.strength.shear_modulus / (3 * material.eos.rho0));
+  double signal = 3 * (sound + scene.impact_speed);
+  while (state.time < scene.end_time) {
+    // Equal steps up to the next event, so that it is hit exactly and no step is tiny.
+    const double limit = scene.numerics.cfl * cell / signal;
+    const double due = schedule.next();
+    const double steps = std::ceil((due - state.time) / limit);
+    const double dt = (due - state.time) / std::max(steps, 1.0);
+    const StepReport report = step(state, material, dt);
+    if (steps <= 1) state.time = due;
+    signal = report.largest_signal;
+    balance.after_step(state, report, dt);
+    for (const auto& m : measurements) m->after_step(state, report, dt);
+    result.steps = state.step;
+
+    result.reason = breakdown(state, report, balance.energy_error());
+    if (!result.reason.empty()) {
+      result.status = RunStatus::failed;
+      result.energy_error = balance.energy_error();
+      return result;
+    }
+    observe();
+    if (!observer.on_step({state.step, state.time, scene.end_time, dt, result.particles})) {
+      result.status = RunStatus::stopped;
+      result.reason = "stopped by the observer";
+      return result;
+    }
+  }
+  for (const auto& m : measurements) m->finish(state, result);
+  balance.finish(state, result);
+  return result;
+}
+
+RunResult run(const Scene& scene) {
+  Observer nobody;
+  return run(scene, nobody);
+}
+
+}  // namespace mpm

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "libmpm/scene/build.hpp"
+#include "libmpm/scene/parameters.hpp"
+#include "libmpm/scene/scene.hpp"
+
+namespace mpm {
+namespace {
+
+std::string number(double v) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, v).ptr;
+  return {text, end};
+}
+
+/// Collects problems; values and units come from the table of parameters.
+class Report {
+ public:
+  explicit Report(const Scene& scene) : scene_(scene) {}
+
+  void add(std::string_view name, std::string allowed) {
+    const Quantity* q = find_quantity(name);
+    std::string value = number(q->get(scene_));
+    if (q->unit != "1") value.append(" ").append(q->unit);
+    problems_.push_back({std::string(name), std::move(value), std::move(allowed)});
+  }
+  void require(bool fine, std::string_view name, std::string allowed) {
+    if (!fine) add(name, std::move(allowed));
+  }
+  bool empty() const { return problems_.empty(); }
+  std::vector<Problem> take() { return std::move(problems_); }
+
+ private:
+  const Scene& scene_;
+  std::vector<Problem> problems_;
+};
+
+void check_ranges(const Scene& s, Report& report) {
+  for (const Quantity& q : quantities()) {
+    if (!q.belongs_to(s.kind) || !q.alternative.empty()) continue;
+    const double v = q.get(s);
+    // an infinite yield stress is an elastic body
+    const bool finite = std::isfinite(v) || (q.name == "yield_stress" && v > 0);
+    if (!finite)
+      report.add(q.name, "a finite number");
+    else if (q.range == Range::positive)
+      report.require(v > 0, q.name, "more than 0");
+    else if (q.range == Range::non_negative)
+      report.require(v >= 0, q.name, "0 or more");
+  }
+}
+
+void check_numerics(const Scene& s, Report& report) {
+  const Numerics& n = s.numerics;
+  const int k = n.particles_per_cell;
+  report.require(k == 1 || k == 4 || k == 9 || k == 16, "particles_per_cell", "1, 4, 9 or 16");
+  report.require(n.cfl <= 1, "cfl", "more than 0, at most 1");
+  report.require(n.cell_size <= s.block_width / 8, "cell_size",
+                 "at most an eighth of block_width (" + number(s.block_width / 8) + " m)");
+  report.require(n.cell_size <= s.block_height / 4, "cell_size",
+                 "at most a quarter of block_height (" + number(s.block_height / 4) + " m)");
+  const Material& m = s.material;
+  report.require(m.poissons_ratio < 0.5, "poissons_ratio", "0 or more, less than 0.5");
+  report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");
+  report.require(m.hardening_measure != HardeningMeasure::tangent || m.hardening_modulus < m.youngs_modulus,
+                 "hardening_modulus", "less than youngs_modulus when hardening_measure is \"tangent\"");
+}
+
+void check_cavity(const Scene& s, Report& report) {
+  const double r = s.cavity_radius, y = s.cavity_center_height;
+  report.require(2 * r < s.block_width, "cavity_radius",
+                 "less than half of block_width (" + number(s.block_width / 2) +
+                     " m): the cavity is as wide as the block");
+  report.require(s.numerics.cell_size <= r, "cell_size",
+                 "at most cavity_radius (" + number(r) + " m): the cavity is smaller than a cell");
+  // A hair of rounding is allowed: a centre that is computed from a wall thickness may miss tangency by it.
+  const double slack = 4 * std::numeric_limits<double>::epsilon() * s.block_height;
+  report.require(y - r >= -slack, "cavity_center_height",
+                 "at least cavity_radius (" + number(r) + " m): the cavity leaves the block below");
+  report.require(y + r <= s.block_height + slack, "cavity_center_height",
+                 "at most block_height - cavity_radius (" + number(s.block_height - r) +
+                     " m): the cavity leaves the block above");
+}
+
+}  // namespace
+
+Numerics default_numerics(SceneKind) { return {}; }
+
+std::vector<Problem> find_problems(const Scene& s) {
+  Report report(s);
+  check_ranges(s, report);
+  if (!report.empty()) return report.take();  // what follows compares numbers that have to be numbers
+  check_numerics(s, report);
+  if (s.kind == SceneKind::cavity_impact) check_cavity(s, report);
+  return report.take();
+}
+
+Estimate estimate(const Scene& s) {
+  const Lattice lattice = lattice_of(s);
+  double area = lattice.width * s.block_height;
+  if (s.kind == SceneKind::cavity_impact) {
+    constexpr double pi = 3.14159265358979323846;
+    area -= pi * s.cavity_radius * s.cavity_radius * (lattice.width / s.block_width);
+  }
+  const double per_cell =
+      static_cast<double>(s.numerics.particles_per_cell) / (lattice.cell.x() * lattice.cell.y());
+  const Material& m = s.material;
+  const double sound =
+      std::sqrt(m.bulk_sound_speed * m.bulk_sound_speed + 4 * m.shear_modulus() / (3 * m.reference_density));
+  // Behind the shock sound is faster by about 2 lambda u; viscosity and the motion of the body take their
+  // share too.
+  const double signal = sound + (2 * m.hugoniot_slope + 1) * s.impact_speed;
+  const double step = s.numerics.cfl * std::min(lattice.cell.x(), lattice.cell.y()) / signal;
+  return {static_cast<std::int64_t>(area * per_cell), static_cast<std::int64_t>(s.end_time / step)};
+}
+
+}  // namespace mpm

@@ -1,0 +1,26 @@
+#pragma once
+#include "libmpm/shape/shape.hpp"
+
+namespace mpm {
+
+/// Quadratic B-spline: with d the distance to a node in cells,
+///   S = 3/4 - d^2            for d <= 1/2,
+///   S = (3/2 - d)^2 / 2      for 1/2 <= d <= 3/2.
+/// Source: Steffen, Kirby, Berzins 2008, Int. J. Numer. Meth. Engng 76, 922.
+/// Partition of unity and linear reproduction hold at walls too, since walls are mirrors with ghost nodes.
+struct BSpline2 {
+  static constexpr bool domains_follow_stretch = false;
+
+  static Weights evaluate(double xi, double /*half*/) {
+    Weights w;
+    const int middle = nearest_node(xi);
+    const double d = xi - middle;  // -1/2 ... 1/2
+    w.first = middle - 1;
+    w.value = {0.5 * (0.5 - d) * (0.5 - d), 0.75 - d * d, 0.5 * (0.5 + d) * (0.5 + d)};
+    w.slope = {d - 0.5, -2 * d, d + 0.5};
+    return w;
+  }
+};
+static_assert(ShapeFunctions<BSpline2>);
+
+}  // namespace mpm

@@ -1,0 +1,33 @@
+#pragma once
+#include "libmpm/shape/shape.hpp"
+#include "libmpm/step/state.hpp"
+
+namespace mpm {
+
+/// Particles to grid. With w_ip the weight of particle p at node i:
+///   m_i = sum w_ip m_p,   (m v)_i = sum w_ip m_p v_p,   f_i = - sum V_p sigma_p grad w_ip
+/// Node::velocity receives the momentum and Node::acceleration the force. The sums of m, m v over the nodes
+/// are those over the particles, and the forces add up to zero, to rounding: partition of unity. Source:
+/// Sulsky, Chen, Schreyer 1994, Comput. Methods Appl. Mech. Engng 118, 179.
+template <ShapeFunctions Shape>
+void p2g(const Particles& particles, Grid& grid) {
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const Stencil n = stencil_at<Shape>(grid, particles.position[p], particles.half_size[p]);
+    const double mass = particles.mass[p];
+    const Vec2 momentum = mass * particles.velocity[p];
+    const PlaneTensor stress = particles.volume(p) * particles.stress(p);
+    for (int j = 0; j < 3; ++j) {
+      Node* row = &grid.at(n.x.first, n.y.first + j);
+      for (int i = 0; i < 3; ++i) {
+        const double w = n.weight(i, j);
+        const Vec2 g = n.gradient(i, j, grid.inverse_cell());
+        row[i].mass += w * mass;
+        row[i].velocity += w * momentum;
+        row[i].acceleration -=
+            Vec2(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
+      }
+    }
+  }
+}
+
+}  // namespace mpm

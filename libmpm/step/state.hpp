@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "libmpm/core/grid.hpp"
+#include "libmpm/core/particles.hpp"
+#include "libmpm/material/artificial_viscosity.hpp"
+#include "libmpm/material/eos/mie_grueneisen.hpp"
+#include "libmpm/material/strength/j2.hpp"
+
+namespace mpm {
+
+/// What a step needs to know of the material.
+struct MaterialModel {
+  MieGrueneisen eos;
+  J2 strength;
+  ArtificialViscosity viscosity;
+};
+
+/// Sums over the particles after a step.
+struct StepReport {
+  double largest_signal = 0;  ///< fastest signal against the grid, sound + viscosity + motion [m/s]
+  double smallest_dilation = 0, largest_dilation = 0;  ///< J - 1 [1]
+  double transfer_heat = 0;  ///< kinetic energy that the transfer took and left as heat in this step [J/m]
+  Vec2 wall_impulse = Vec2::Zero();  ///< that all walls gave in this step [kg/s]
+  double highest = 0;                ///< largest y of a particle [m]
+};
+
+/// Everything that a step changes.
+struct State {
+  Particles particles;
+  Grid grid;
+  std::vector<Mat2> velocity_gradient;  ///< of each particle, over the last step [1/s]
+  double time = 0;                      ///< [s]
+  std::int64_t step = 0;
+};
+
+}  // namespace mpm

@@ -1,0 +1,49 @@
+#pragma once
+/// The time step, on one screen. This is the plain one: it is read to learn the method and it is the oracle
+/// that every faster step is held against.
+///
+/// Stages, in order (explicit, symplectic; stress last):
+///   1. p2g       mass, momentum and internal forces go to the grid
+///   2. walls     what lies behind a wall is the image of what lies before it
+///   3. grid      a = f/m, v <- v + dt a
+///   4. g2p       particles accelerate (FLIP), move, receive their work and the heat of the transfer
+///   5. stress    density, deviator, pressure, viscosity from the new velocity gradient
+///
+/// Velocities and energies that particles carry belong to the middle between two stresses (leapfrog),
+/// positions, densities and stresses to whole steps. Energy is conserved to rounding by construction (see
+/// g2p.hpp).
+#include <algorithm>
+
+#include "libmpm/boundary/mirror.hpp"
+#include "libmpm/step/g2p.hpp"
+#include "libmpm/step/grid_update.hpp"
+#include "libmpm/step/p2g.hpp"
+#include "libmpm/step/stress_update.hpp"
+
+namespace mpm {
+
+template <ShapeFunctions Shape>
+StepReport reference_step(State& state, const MaterialModel& model, double dt) {
+  StepReport report;
+  Grid& grid = state.grid;
+  double highest = grid.origin().y();
+  for (const Vec2& x : state.particles.position) highest = std::max(highest, x.y());
+  const int top = static_cast<int>((highest - grid.origin().y()) * grid.inverse_cell().y()) + 2;
+  grid.grow_to_row(top);
+  grid.clear();
+
+  p2g<Shape>(state.particles, grid);
+  for (Node& n : grid.nodes()) n.own_mass = n.mass;
+  reflect_sides(grid, top);
+  reflect_impact_wall(grid, dt);
+  report.wall_impulse = update_grid(grid, dt);
+  report.transfer_heat = g2p<Shape>(state.particles, grid, dt, state.velocity_gradient);
+  update_stress(state, model, dt, report);
+
+  report.highest = highest;
+  state.time += dt;
+  ++state.step;
+  return report;
+}
+
+}  // namespace mpm
