@@ -1,0 +1,62 @@
+#pragma once
+/// Polynomial least squares with standard errors.
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace analysis {
+
+enum class FitModel {
+  linear,     ///< y = c0 + c1 x
+  quadratic,  ///< y = c0 + c1 x + c2 x^2
+};
+
+/// "linear", "quadratic"; empty for any other name.
+std::optional<FitModel> fit_model(std::string_view name);
+std::string_view name(FitModel);
+
+/// A fitted polynomial, or why there is none. Never holds a nan.
+struct Fit {
+  FitModel model = FitModel::linear;
+  std::string problem;               ///< why there is no fit; empty: there is one
+  std::vector<double> coefficients;  ///< c0, c1, ... [unit of y / unit of x^k]
+  /// Of the coefficients, same units. Empty where they are unknown: as many points as coefficients and no
+  /// errors.
+  std::vector<double> standard_errors;
+  std::vector<double> covariance;  ///< of the coefficients, by rows; empty where standard_errors is
+  std::optional<double> r2;  ///< 1 - (weighted) residual / total sum of squares; empty where all y are equal
+  std::optional<double>
+      residual_standard_deviation;  ///< sqrt(sum w r^2 / dof), w = 1 without errors; empty at dof 0
+  int points = 0;
+  int degrees_of_freedom = 0;  ///< points - coefficients
+  double x_min = 0, x_max = 0;
+
+  bool ok() const { return problem.empty(); }
+  /// The polynomial at x. Only where ok().
+  double operator()(double x) const;
+  /// Half width, at x, of the interval that covers the true curve at this confidence (of one x, not of all at
+  /// once): Student's t times the standard error of the curve. Empty where standard errors are unknown.
+  std::optional<double> band(double x, double confidence = 0.95) const;
+
+  /// The same in z = (x - centre) / scale, in which it was solved; the curve and its band are taken from
+  /// here.
+  struct Scaled {
+    double centre = 0, scale = 1;
+    std::vector<double> coefficients, covariance;
+  } scaled;
+};
+
+/// Least squares by QR in x shifted and scaled to [-1, 1].
+///
+/// Without errors every point weighs the same, and standard errors follow from the scatter about the curve.
+/// With errors (standard deviations of y, > 0) the weights are 1 / error^2, and the covariance (X^T W X)^-1
+/// is raised by chi^2 / dof where that is above 1 (points that scatter more than their errors say, as the
+/// Particle Data Group does it). Bad data give a Fit whose `problem` says what: unequal lengths, numbers that
+/// are not finite, errors not positive, fewer points or fewer distinct x than coefficients. Checked against
+/// certified values by tests/analysis/fit_test.cpp.
+Fit fit_polynomial(FitModel, std::span<const double> x, std::span<const double> y,
+                   std::span<const double> y_error = {});
+
+}  // namespace analysis
