@@ -1,0 +1,14 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+
+namespace mpmstudy {
+
+/// The catalog or a file next to it cannot be used. what() names the path, what is wrong and what to do.
+/// Verbs end with exit code 2.
+class CatalogError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace mpmstudy

@@ -1,0 +1,216 @@
+#include "runner/catalog/connection.hpp"
+
+#include <SQLiteCpp/Backup.h>
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <set>
+
+#include "runner/catalog/catalog_error.hpp"
+
+namespace mpmstudy {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How long a statement waits for another process that writes [ms].
+constexpr int busy_timeout_ms = 30'000;
+
+struct Header {
+  std::int32_t application_id = 0;
+  std::int32_t version = 0;
+  bool empty = true;  ///< no table at all
+};
+
+Header read_header(SQLite::Database& db) {
+  Header header;
+  header.application_id = db.execAndGet("PRAGMA application_id").getInt();
+  header.version = db.execAndGet("PRAGMA user_version").getInt();
+  header.empty = db.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
+  return header;
+}
+
+/// Throws unless the file is a catalog that this build can use, or is empty.
+void check_header(const fs::path& path, const Header& header, std::int32_t newest) {
+  if (header.application_id == 0 && header.version == 0 && header.empty) return;
+  if (header.application_id != catalog_application_id)
+    throw CatalogError(path.string() +
+                       ": a database of another program; choose another folder with --results");
+  if (header.version > newest)
+    throw CatalogError(path.string() + ": written by a newer mpmstudy (catalog version " +
+                       std::to_string(header.version) + ", this program knows up to " +
+                       std::to_string(newest) +
+                       "); nothing was changed; use the newer program or another folder (--results)");
+}
+
+[[noreturn]] void rethrow(const fs::path& path, const SQLite::Exception& error) {
+  switch (error.getErrorCode()) {
+    case SQLITE_NOTADB:
+      throw CatalogError(
+          path.string() +
+          ": is not a catalog (not a SQLite database); move it away or choose another folder with --results");
+    case SQLITE_CORRUPT:
+      throw CatalogError(path.string() + ": is damaged (" + error.what() +
+                         "); restore it from a backup or choose another folder with --results");
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+    case SQLITE_IOERR:
+    case SQLITE_PERM:
+      throw CatalogError(
+          path.string() + ": cannot be opened (" + error.what() +
+          "); check the permissions of file and folder, or choose another folder with --results");
+    case SQLITE_BUSY:
+      throw CatalogError(path.string() + ": another process has held it for too long; try again");
+    default:
+      throw CatalogError(path.string() + ": " + error.what());
+  }
+}
+
+std::vector<std::string> columns_of(SQLite::Database& db, const std::string& table) {
+  std::vector<std::string> names;
+  SQLite::Statement rows(db, "SELECT name FROM pragma_table_info(?) ORDER BY cid");
+  rows.bind(1, table);
+  while (rows.executeStep()) names.push_back(rows.getColumn(0).getString());
+  return names;
+}
+
+/// Parameters of the schema that the catalog has no column for yet.
+std::vector<ParameterColumn> missing_columns(SQLite::Database& db, const CatalogSchema& schema) {
+  const auto existing = columns_of(db, "job_parameters");
+  std::vector<ParameterColumn> missing;
+  for (const auto& column : schema.parameters)
+    if (std::ranges::find(existing, column.name) == existing.end()) missing.push_back(column);
+  return missing;
+}
+
+/// Copies the database as it is committed now; the name appears when the copy is whole.
+void back_up(const fs::path& path, std::int32_t version) {
+  const std::string stem = path.string() + ".v" + std::to_string(version) + ".backup";
+  fs::path target = stem;
+  for (int i = 2; fs::exists(target); ++i) target = stem + "-" + std::to_string(i);
+  const fs::path partial = target.string() + ".tmp";
+  fs::remove(partial);
+  {
+    SQLite::Database from(path.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+    SQLite::Database to(partial.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    SQLite::Backup(to, from).executeStep(-1);
+  }
+  fs::rename(partial, target);
+}
+
+bool is_current(SQLite::Database& db, const CatalogSchema& schema) {
+  return read_header(db).version == schema.version() && missing_columns(db, schema).empty();
+}
+
+/// Under the write lock: another process may have done the same a moment before.
+void bring_up_to_date(SQLite::Database& db, const fs::path& path, const CatalogSchema& schema) {
+  if (is_current(db, schema)) return;
+  SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+  const Header header = read_header(db);
+  check_header(path, header, schema.version());
+  if (header.version > 0) back_up(path, header.version);
+  for (const auto& migration : schema.migrations)
+    if (migration.version > header.version) db.exec(std::string(migration.sql));
+  for (const auto& column : missing_columns(db, schema))
+    db.exec("ALTER TABLE job_parameters ADD COLUMN \"" + column.name + "\" " + column.type);
+  auto columns = columns_of(db, "job_parameters");
+  std::erase(columns, "job_id");
+  db.exec(view_sql(columns));
+  db.exec("PRAGMA application_id = " + std::to_string(catalog_application_id));
+  db.exec("PRAGMA user_version = " + std::to_string(schema.version()));
+  transaction.commit();
+}
+
+void check_is_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+    throw CatalogError(
+        path.string() +
+        ": cannot be opened (it is not a file); move it away or choose another folder with --results");
+}
+
+std::string uri_path(const fs::path& path) {
+  std::string text;
+  for (const char c : fs::absolute(path).string())
+    if (c == '%')
+      text += "%25";
+    else if (c == '?')
+      text += "%3f";
+    else if (c == '#')
+      text += "%23";
+    else
+      text += c;
+  return text;
+}
+
+void make_folder(const fs::path& results) {
+  std::error_code error;
+  fs::create_directories(results, error);
+  if (!error && !fs::is_directory(results)) error = std::make_error_code(std::errc::not_a_directory);
+  if (error)
+    throw CatalogError(results.string() + ": cannot be used as the results folder (" + error.message() +
+                       "); choose another with --results");
+}
+
+}  // namespace
+
+fs::path catalog_path(const fs::path& results) { return results / "catalog.db"; }
+
+std::unique_ptr<SQLite::Database> open_for_writing(const fs::path& results, const CatalogSchema& schema) {
+  const fs::path path = catalog_path(results);
+  make_folder(results);
+  check_is_file(path);
+  try {
+    if (fs::exists(path)) {  // look before anything may write
+      SQLite::Database db(path.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+      check_header(path, read_header(db), schema.version());
+    }
+    auto db = std::make_unique<SQLite::Database>(
+        path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, busy_timeout_ms);
+    db->exec("PRAGMA journal_mode = WAL");
+    // NORMAL: a killed process loses nothing. A power cut may lose the last commits, never damage the file;
+    // such jobs are planned again.
+    db->exec("PRAGMA synchronous = NORMAL");
+    db->exec("PRAGMA foreign_keys = ON");
+    bring_up_to_date(*db, path, schema);
+    return db;
+  } catch (const SQLite::Exception& error) {
+    rethrow(path, error);
+  } catch (const fs::filesystem_error& error) {
+    throw CatalogError(path.string() + ": " + error.what());
+  }
+}
+
+std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
+  const fs::path path = catalog_path(results);
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+    throw CatalogError(path.string() +
+                       ": there is no catalog; `mpmstudy run STUDY` makes one, --results names its folder");
+  check_is_file(path);
+  const int flags = SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX;
+  std::unique_ptr<SQLite::Database> db;
+  try {
+    Header header;
+    try {
+      db = std::make_unique<SQLite::Database>(path.string(), flags, busy_timeout_ms);
+      header = read_header(*db);
+    } catch (const SQLite::Exception& error) {
+      // WAL needs a small file beside the catalog. Where none can be made nobody can write either.
+      const bool has_wal = fs::exists(path.string() + "-wal", ignored);
+      const int code = error.getErrorCode();
+      if (has_wal || (code != SQLITE_CANTOPEN && code != SQLITE_READONLY)) throw;
+      db = std::make_unique<SQLite::Database>("file:" + uri_path(path) + "?immutable=1",
+                                              flags | SQLite::OPEN_URI);
+      header = read_header(*db);
+    }
+    check_header(path, header, current_catalog_schema().version());
+    if (header.version == 0) throw CatalogError(path.string() + ": is empty; `mpmstudy run STUDY` fills it");
+    return db;
+  } catch (const SQLite::Exception& error) {
+    rethrow(path, error);
+  }
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,27 @@
+#pragma once
+/// Opening a catalog. Include SQLiteCpp where you use what these return.
+#include <filesystem>
+#include <memory>
+
+#include "runner/catalog/schema.hpp"
+
+namespace SQLite {
+class Database;
+}
+
+namespace mpmstudy {
+
+/// results/catalog.db
+std::filesystem::path catalog_path(const std::filesystem::path& results);
+
+/// Opens the catalog for its one writer; makes folder and file where there are none, and brings an older
+/// layout to `schema` (a copy of the old file stays beside it as catalog.db.vN.backup). A file that is not a
+/// catalog, or that a newer version has written, is left as it is. Throws CatalogError.
+std::unique_ptr<SQLite::Database> open_for_writing(const std::filesystem::path& results,
+                                                   const CatalogSchema& schema = current_catalog_schema());
+
+/// Opens the catalog read-only; never waits for a writer and never delays one. Throws CatalogError, also
+/// when there is no catalog.
+std::unique_ptr<SQLite::Database> open_for_reading(const std::filesystem::path& results);
+
+}  // namespace mpmstudy

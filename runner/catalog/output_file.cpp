@@ -1,0 +1,50 @@
+#include "runner/catalog/output_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "runner/catalog/catalog_error.hpp"
+
+namespace mpmstudy {
+
+OutputFile::OutputFile(std::filesystem::path path)
+    : path_(std::move(path)), partial_(path_.string() + "." + std::to_string(getpid()) + ".tmp") {
+  std::error_code error;
+  if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
+  stream_.open(partial_, std::ios::binary | std::ios::trunc);
+  if (!stream_)
+    throw CatalogError(path_.string() + ": cannot be written (" +
+                       std::error_code(errno, std::generic_category()).message() + ")");
+}
+
+OutputFile::~OutputFile() {
+  if (committed_) return;
+  stream_.close();
+  std::error_code ignored;
+  std::filesystem::remove(partial_, ignored);
+}
+
+void OutputFile::commit() {
+  stream_.close();
+  if (!stream_) throw CatalogError(path_.string() + ": cannot be written; is the disk full?");
+  try {
+    sync_to_disk(partial_);
+    std::filesystem::rename(partial_, path_);
+  } catch (const std::system_error& error) {
+    throw CatalogError(path_.string() + ": cannot be written (" + error.code().message() + ")");
+  }
+  committed_ = true;
+}
+
+void sync_to_disk(const std::filesystem::path& path) {
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool failed = file < 0 || fsync(file) != 0;
+  const int code = errno;
+  if (file >= 0) close(file);
+  if (failed) throw std::system_error(code, std::generic_category(), path.string());
+}
+
+}  // namespace mpmstudy

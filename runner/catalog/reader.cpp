@@ -1,0 +1,96 @@
+#include "runner/catalog/reader.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <algorithm>
+
+#include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/connection.hpp"
+#include "runner/catalog/process.hpp"
+
+namespace mpmstudy {
+namespace {
+
+std::string known_names(const std::vector<StudyState>& studies) {
+  std::string names;
+  for (const auto& study : studies) names += (names.empty() ? "" : ", ") + study.name;
+  return names.empty() ? "none" : names;
+}
+
+std::vector<StudyState> read_studies(SQLite::Database& db) {
+  std::vector<StudyState> studies;
+  SQLite::Statement names(db, "SELECT name, title FROM studies ORDER BY name");
+  while (names.executeStep())
+    studies.push_back({names.getColumn(0).getString(), names.getColumn(1).getString(), {}});
+  SQLite::Statement counts(
+      db, "SELECT study, status, count(*) FROM jobs WHERE study IS NOT NULL GROUP BY study, status");
+  while (counts.executeStep())
+    for (auto& study : studies)
+      if (study.name == counts.getColumn(0).getString())
+        study.jobs[job_status_from(counts.getColumn(1).getString())] = counts.getColumn(2).getInt64();
+  return studies;
+}
+
+CatalogState read_all(SQLite::Database& db) {
+  CatalogState state;
+  SQLite::Transaction one_moment(db);
+  state.studies = read_studies(db);
+  SQLite::Statement running(
+      db,
+      "SELECT j.key, j.study, e.\"by\", j.started_at, j.attempt FROM jobs j JOIN events e "
+      "ON e.key = j.key AND e.to_status = 'running' AND e.attempt = j.attempt "
+      "WHERE j.status = 'running' ORDER BY j.started_at, j.key");
+  while (running.executeStep())
+    state.running.push_back({running.getColumn(0).getString(), running.getColumn(1).getString(),
+                             running.getColumn(2).getString(), running.getColumn(3).getString(),
+                             running.getColumn(4).getInt64()});
+  SQLite::Statement failed(
+      db, "SELECT key, study, reason FROM jobs WHERE status = 'failed' ORDER BY study, position");
+  while (failed.executeStep())
+    state.failed.push_back(
+        {failed.getColumn(0).getString(), failed.getColumn(1).getString(), failed.getColumn(2).getString()});
+  return state;
+}
+
+}  // namespace
+
+CatalogState read_state(const std::filesystem::path& results, const std::vector<std::string>& wanted) {
+  const auto db = open_for_reading(results);
+  CatalogState state;
+  try {
+    state = read_all(*db);
+  } catch (const SQLite::Exception& error) {
+    throw CatalogError(catalog_path(results).string() + ": cannot be read (" + error.what() + ")");
+  }
+  if (wanted.empty()) return state;
+  for (const auto& name : wanted)
+    if (std::ranges::none_of(state.studies, [&](const auto& study) { return study.name == name; }))
+      throw CatalogError(catalog_path(results).string() + ": there is no study '" + name +
+                         "'; known: " + known_names(state.studies));
+  const auto is_other = [&](const std::string& name) {
+    return std::ranges::find(wanted, name) == wanted.end();
+  };
+  std::erase_if(state.studies, [&](const auto& study) { return is_other(study.name); });
+  std::erase_if(state.running, [&](const auto& job) { return is_other(job.study); });
+  std::erase_if(state.failed, [&](const auto& job) { return is_other(job.study); });
+  return state;
+}
+
+std::optional<double> measured_updates_per_second(const std::filesystem::path& results) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(catalog_path(results), ignored)) return std::nullopt;
+  const auto db = open_for_reading(results);
+  try {
+    SQLite::Statement sum(*db,
+                          "SELECT total(CAST(particles AS REAL) * steps), total(cpu_s) FROM job "
+                          "WHERE status = 'done' AND host = ?");
+    sum.bind(1, this_process().host);
+    sum.executeStep();
+    const double updates = sum.getColumn(0).getDouble(), seconds = sum.getColumn(1).getDouble();
+    return seconds > 0 && updates > 0 ? std::optional(updates / seconds) : std::nullopt;
+  } catch (const SQLite::Exception&) {
+    return std::nullopt;  // an older layout: run will bring it up to date
+  }
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,71 @@
+#pragma once
+/// What the catalog is told and what it answers: plain values in SI units, which any thread may own.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libmpm/simulation.hpp"
+
+namespace mpmstudy {
+
+/// planned -> running -> done | failed; running -> planned when a run is stopped or its process is gone;
+/// planned -> cancelled when no study wants the job any longer.
+enum class JobStatus { planned, running, done, failed, cancelled };
+std::string_view to_string(JobStatus);
+/// Throws CatalogError for a word that is no status.
+JobStatus job_status_from(std::string_view);
+
+/// A field file that is on disk, whole and synced.
+struct SnapshotFile {
+  double time = 0;  ///< [s]
+  std::int64_t step = 0;
+  std::string path;  ///< relative to the results folder
+  std::int64_t bytes = 0;
+  std::string checksum;  ///< XXH3-128 of the file, 32 hexadecimal digits
+};
+
+/// A job that has been decided, with everything that it left.
+struct FinishedJob {
+  std::string key;
+  JobStatus status = JobStatus::done;  ///< done or failed
+  std::string reason;                  ///< of a failure
+  mpm::RunResult result;
+  std::vector<SnapshotFile> snapshots;
+  double wall_s = 0;  ///< duration [s]
+  double cpu_s = 0;   ///< time on a processor [s]
+};
+
+/// One coefficient of one fit; a row of the view `fits`.
+struct FitRow {
+  std::string quantity;     ///< what is fitted: "collapsibility"
+  std::string against;      ///< over what: "cavity_radius"
+  std::string model;        ///< "quadratic"
+  std::string coefficient;  ///< "c0", "c1", ...
+  double value = 0;
+  std::optional<double> standard_error;
+  std::optional<double> r2;
+  std::string unit;  ///< of value
+};
+
+/// A bracket of a critical speed and the two jobs that prove it; a row of the view `critical_speed`.
+struct CriticalSpeedRow {
+  std::optional<double> wall_thickness;  ///< [m]
+  double lower = 0;                      ///< [m/s]
+  double upper = 0;                      ///< [m/s]
+  std::string lower_key, upper_key;
+  double cell_size = 0;  ///< [m]
+};
+
+/// What registering a study found.
+struct Registration {
+  std::vector<JobStatus> states;       ///< of every job, in the order of the plan; planned: to run
+  std::vector<std::string> to_run;     ///< keys of these
+  std::int64_t done = 0;               ///< decided before: not run again
+  std::int64_t failed = 0;             ///< failed before and left so
+  std::int64_t running_elsewhere = 0;  ///< by another process that is alive
+  std::int64_t taken_up = 0;           ///< of to_run: left behind by a process that is gone
+};
+
+}  // namespace mpmstudy

@@ -1,0 +1,220 @@
+#include "runner/catalog/schema.hpp"
+
+#include <algorithm>
+
+#include "libmpm/scene/parameters.hpp"
+
+namespace mpmstudy {
+namespace {
+
+// Child tables hang on job.id, not on the key: an area history is a few hundred rows, a key 32 characters.
+constexpr std::string_view version_1 = R"sql(
+CREATE TABLE runner (           -- a process that has written here
+  id            INTEGER PRIMARY KEY,
+  host          TEXT NOT NULL,
+  boot_id       TEXT NOT NULL,
+  pid           INTEGER NOT NULL,
+  process_start INTEGER NOT NULL,  -- clock ticks after boot
+  git_revision  TEXT NOT NULL,
+  started_at    TEXT NOT NULL,
+  heartbeat_at  TEXT NOT NULL,
+  ended_at      TEXT               -- null: alive, or killed
+) STRICT;
+
+CREATE TABLE study (
+  id         INTEGER PRIMARY KEY,
+  name       TEXT NOT NULL UNIQUE,
+  title      TEXT NOT NULL,
+  updated_at TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE job (
+  id                   INTEGER PRIMARY KEY,
+  key                  TEXT NOT NULL UNIQUE,
+  scene                TEXT NOT NULL,
+  material             TEXT NOT NULL,
+  snapshot_times       TEXT NOT NULL,  -- JSON array [s]
+  physics_version      INTEGER NOT NULL,
+  predicted_particles  INTEGER NOT NULL,
+  predicted_steps      INTEGER NOT NULL,
+  predicted_s          REAL,
+  status               TEXT NOT NULL CHECK (status IN ('planned','running','done','failed','cancelled')),
+  reason               TEXT,
+  attempt              INTEGER NOT NULL DEFAULT 0,
+  runner_id            INTEGER REFERENCES runner (id),
+  started_at           TEXT,
+  finished_at          TEXT,
+  particles            INTEGER,
+  steps                INTEGER,
+  wall_s               REAL,
+  cpu_s                REAL,
+  energy_error         REAL,
+  outcome              TEXT,
+  initial_area_m2      REAL,
+  final_area_m2        REAL,
+  final_area_error_m2  REAL,
+  collapsibility       REAL,
+  collapsibility_error REAL,
+  git_revision         TEXT,
+  host                 TEXT
+) STRICT;
+CREATE INDEX job_open ON job (status) WHERE status IN ('planned', 'running');
+
+-- One column for every parameter that a scene can have; they are added by opening.
+CREATE TABLE job_parameters (job_id INTEGER PRIMARY KEY REFERENCES job (id)) STRICT;
+
+CREATE TABLE study_job (
+  study_id INTEGER NOT NULL REFERENCES study (id),
+  job_id   INTEGER NOT NULL REFERENCES job (id),
+  position INTEGER NOT NULL,       -- in the sweep
+  PRIMARY KEY (study_id, job_id)
+) STRICT, WITHOUT ROWID;
+CREATE INDEX study_job_by_job ON study_job (job_id);
+
+CREATE TABLE metric (
+  job_id INTEGER NOT NULL REFERENCES job (id),
+  name   TEXT NOT NULL,
+  value  REAL,                     -- null: not a number
+  unit   TEXT NOT NULL,
+  error  REAL,
+  PRIMARY KEY (job_id, name)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE area_sample (
+  job_id       INTEGER NOT NULL REFERENCES job (id),
+  sample       INTEGER NOT NULL,
+  time_s       REAL,
+  area_m2      REAL,
+  void_area_m2 REAL,
+  PRIMARY KEY (job_id, sample)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE snapshot (
+  job_id   INTEGER NOT NULL REFERENCES job (id),
+  time_s   REAL,
+  step     INTEGER NOT NULL,
+  path     TEXT NOT NULL,
+  bytes    INTEGER NOT NULL,
+  checksum TEXT NOT NULL,
+  PRIMARY KEY (job_id, path)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE event (               -- every transition of every job, once
+  id          INTEGER PRIMARY KEY,
+  job_id      INTEGER NOT NULL REFERENCES job (id),
+  from_status TEXT,                -- null: the job is new
+  to_status   TEXT NOT NULL,
+  at          TEXT NOT NULL,
+  runner_id   INTEGER NOT NULL REFERENCES runner (id),
+  attempt     INTEGER NOT NULL,
+  reason      TEXT
+) STRICT;
+CREATE INDEX event_by_job ON event (job_id);
+
+CREATE TABLE fit (
+  study_id       INTEGER NOT NULL REFERENCES study (id),
+  position       INTEGER NOT NULL,
+  quantity       TEXT NOT NULL,
+  against        TEXT NOT NULL,
+  model          TEXT NOT NULL,
+  coefficient    TEXT NOT NULL,
+  value          REAL,
+  standard_error REAL,
+  r2             REAL,
+  unit           TEXT NOT NULL,
+  PRIMARY KEY (study_id, position)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE critical_speed_bracket (
+  study_id         INTEGER NOT NULL REFERENCES study (id),
+  position         INTEGER NOT NULL,
+  wall_thickness_m REAL,
+  lower_m_s        REAL NOT NULL,
+  upper_m_s        REAL NOT NULL,
+  lower_key        TEXT NOT NULL,
+  upper_key        TEXT NOT NULL,
+  cell_size_m      REAL NOT NULL,
+  PRIMARY KEY (study_id, position)
+) STRICT, WITHOUT ROWID;
+)sql";
+
+constexpr std::string_view jobs_before = R"sql(
+DROP VIEW IF EXISTS jobs;
+CREATE VIEW jobs AS SELECT
+  j.key AS key, s.name AS study, j.status AS status, j.reason AS reason,
+)sql";
+
+constexpr std::string_view jobs_after = R"sql(
+  j.particles AS particles, j.steps AS steps, j.wall_s AS wall_s, j.cpu_s AS cpu_s,
+  j.energy_error AS energy_error, j.outcome AS outcome, j.initial_area_m2 AS initial_area_m2,
+  j.final_area_m2 AS final_area_m2, j.final_area_error_m2 AS final_area_error_m2,
+  j.collapsibility AS collapsibility, j.collapsibility_error AS collapsibility_error,
+  j.physics_version AS physics_version, j.git_revision AS git_revision, j.host AS host,
+  j.scene AS scene, j.material AS material, m.position AS position, j.attempt AS attempt,
+  j.started_at AS started_at, j.finished_at AS finished_at, j.predicted_s AS predicted_s,
+  CAST(j.particles AS REAL) * j.steps / nullif(j.cpu_s, 0) AS particle_updates_per_s
+FROM job j
+JOIN job_parameters p ON p.job_id = j.id
+LEFT JOIN study_job m ON m.job_id = j.id
+LEFT JOIN study s ON s.id = m.study_id;
+)sql";
+
+constexpr std::string_view other_views = R"sql(
+DROP VIEW IF EXISTS metrics;
+CREATE VIEW metrics AS SELECT j.key AS key, c.name AS name, c.value AS value, c.unit AS unit, c.error AS error
+FROM job j JOIN metric c ON c.job_id = j.id;
+
+DROP VIEW IF EXISTS area_history;
+CREATE VIEW area_history AS SELECT j.key AS key, c.time_s AS time_s, c.area_m2 AS area_m2,
+  c.void_area_m2 AS void_area_m2
+FROM job j JOIN area_sample c ON c.job_id = j.id;
+
+DROP VIEW IF EXISTS snapshots;
+CREATE VIEW snapshots AS SELECT j.key AS key, c.time_s AS time_s, c.path AS path, c.bytes AS bytes,
+  c.checksum AS checksum, c.step AS step
+FROM job j JOIN snapshot c ON c.job_id = j.id;
+
+DROP VIEW IF EXISTS events;
+CREATE VIEW events AS SELECT j.key AS key, e.from_status AS from_status, e.to_status AS to_status, e.at AS at,
+  r.host || ':' || r.pid AS "by", e.attempt AS attempt, e.reason AS reason, e.id AS id
+FROM event e JOIN job j ON j.id = e.job_id JOIN runner r ON r.id = e.runner_id;
+
+DROP VIEW IF EXISTS studies;
+CREATE VIEW studies AS SELECT name, title, updated_at FROM study;
+
+DROP VIEW IF EXISTS fits;
+CREATE VIEW fits AS SELECT s.name AS study, f.quantity AS quantity, f.model AS model,
+  f.coefficient AS coefficient, f.value AS value, f.standard_error AS standard_error, f.r2 AS r2,
+  f.unit AS unit, f.against AS against
+FROM study s JOIN fit f ON f.study_id = s.id;
+
+DROP VIEW IF EXISTS critical_speed;
+CREATE VIEW critical_speed AS SELECT s.name AS study, b.wall_thickness_m AS wall_thickness_m,
+  b.lower_m_s AS lower_m_s, b.upper_m_s AS upper_m_s, b.lower_key AS lower_key, b.upper_key AS upper_key,
+  b.cell_size_m AS cell_size_m
+FROM study s JOIN critical_speed_bracket b ON b.study_id = s.id;
+)sql";
+
+std::vector<ParameterColumn> parameter_columns() {
+  std::vector<ParameterColumn> columns;
+  for (const auto& quantity : mpm::quantities()) columns.push_back({std::string(quantity.column), "REAL"});
+  // Promised to queries before the scenes that have them exist.
+  for (const char* name : {"inner_radius_m", "outer_radius_m", "inner_speed_m_s"})
+    if (std::ranges::none_of(columns, [&](const auto& column) { return column.name == name; }))
+      columns.push_back({name, "REAL"});
+  for (const auto& choice : mpm::choices()) columns.push_back({std::string(choice.column), "TEXT"});
+  return columns;
+}
+
+}  // namespace
+
+CatalogSchema current_catalog_schema() { return {{{1, version_1}}, parameter_columns()}; }
+
+std::string view_sql(std::span<const std::string> columns) {
+  std::string sql(jobs_before);
+  for (const auto& column : columns) sql += "  p.\"" + column + "\" AS \"" + column + "\",\n";
+  sql += jobs_after;
+  return sql += other_views;
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,59 @@
+#pragma once
+/// The transactions of the catalog, as plain calls. One thread only: CatalogWriter's. Every call but begin()
+/// happens between begin() and commit(); SQLite's exceptions come through.
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runner/catalog/process.hpp"
+#include "runner/catalog/records.hpp"
+#include "runner/plan/plan.hpp"
+
+namespace mpmstudy {
+
+struct StoreOptions {
+  std::string git_revision;         ///< of the program that writes
+  double heartbeat_expires_s = 60;  ///< a runner of another host that is silent for longer is gone [s]
+  ProcessId process = this_process();
+};
+
+class Store {
+ public:
+  /// Opens the catalog (see open_for_writing) and enters this process as a runner. Throws CatalogError.
+  Store(const std::filesystem::path& results, StoreOptions);
+  ~Store();
+
+  void begin();  ///< takes the write lock, waits for it if need be
+  void commit();
+  void rollback();
+
+  /// A part of the transaction that can fail alone.
+  void begin_part();
+  void commit_part();
+  void rollback_part();
+
+  /// Enters the jobs of a study and makes them its members, instead of those it had. Gives back what is to
+  /// run. Jobs whose process is gone are planned again; planned jobs that no study has are cancelled.
+  Registration register_study(const std::string& name, const std::string& title, const std::vector<Job>&,
+                              bool retry_failed);
+
+  /// planned -> running, by this process. False if the job is not planned (any longer).
+  bool claim(const std::string& key);
+  /// running -> planned. Throws CatalogError if this process does not run it.
+  void release(const std::string& key, const std::string& reason);
+  /// running -> done or failed, with everything that belongs to it. Throws CatalogError as release does.
+  void finish(const FinishedJob&);
+
+  void replace_fits(const std::string& study, const std::vector<FitRow>&);
+  void replace_critical_speeds(const std::string& study, const std::vector<CriticalSpeedRow>&);
+
+  void heartbeat();  ///< this process lives
+  void leave();      ///< this process ends in order
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mpmstudy

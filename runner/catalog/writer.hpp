@@ -1,0 +1,50 @@
+#pragma once
+/// The one writer of a catalog: a thread with a queue. Any thread may call any member; values are handed over
+/// and committed in the order of the calls, many in one transaction when many wait.
+///
+/// Calls that answer wait for their commit. finish() and release() do not: what goes wrong there (a full
+/// disk) is thrown by the next call or by flush(), and the writer takes nothing more.
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runner/catalog/records.hpp"
+#include "runner/catalog/store.hpp"
+#include "runner/exec/ledger.hpp"
+
+namespace mpmstudy {
+
+struct WriterOptions {
+  StoreOptions store;
+  /// Period at which the catalog is told that this process lives. Longer than a third of
+  /// StoreOptions::heartbeat_expires_s and other hosts may take its jobs.
+  std::chrono::milliseconds heartbeat{5000};
+};
+
+class CatalogWriter : public Ledger {
+ public:
+  /// Opens results/catalog.db, makes or migrates it. Throws CatalogError.
+  explicit CatalogWriter(const std::filesystem::path& results, WriterOptions = {});
+  /// Commits what waits, then closes. Errors end here: call flush() first to see them.
+  ~CatalogWriter() override;
+
+  Registration register_study(const std::string& name, const std::string& title, std::vector<Job>,
+                              bool retry_failed);
+  bool claim(const std::string& key) override;
+  void finish(FinishedJob) override;
+  void release(const std::string& key, const std::string& reason) override;
+  void flush() override;
+
+  /// Fits of a registered study, instead of those it had.
+  void replace_fits(const std::string& study, std::vector<FitRow>);
+  /// Brackets of a registered study, instead of those it had.
+  void replace_critical_speeds(const std::string& study, std::vector<CriticalSpeedRow>);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mpmstudy

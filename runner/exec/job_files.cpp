@@ -1,0 +1,69 @@
+#include "runner/exec/job_files.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <fstream>
+#include <memory>
+
+#include "runner/catalog/output_file.hpp"
+
+namespace mpmstudy {
+namespace fs = std::filesystem;
+
+JobFiles::JobFiles(fs::path results, const std::string& key, WriteSnapshot write)
+    : results_(std::move(results)), folder_(fs::path("fields") / key), write_(std::move(write)) {
+  std::error_code error;
+  fs::remove_all(results_ / folder_, error);
+  if (error) throw StorageError((results_ / folder_).string() + ": " + error.message());
+}
+
+void JobFiles::add(const mpm::Snapshot& snapshot) {
+  const fs::path path = folder_ / snapshot_name(files_.size(), snapshot.time);
+  try {
+    fs::create_directories(results_ / folder_);
+    write_(results_ / path, snapshot);
+    files_.push_back({snapshot.time, snapshot.step, path.string(),
+                      static_cast<std::int64_t>(fs::file_size(results_ / path)),
+                      checksum_of(results_ / path)});
+  } catch (const StorageError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw StorageError(error.what());
+  }
+}
+
+std::vector<SnapshotFile> JobFiles::close() {
+  if (files_.empty()) return {};
+  try {
+    for (const auto& folder : {results_ / folder_, results_ / "fields", results_}) sync_to_disk(folder);
+  } catch (const std::exception& error) {
+    throw StorageError(error.what());
+  }
+  return files_;
+}
+
+void JobFiles::discard() noexcept {
+  std::error_code ignored;  // what stays is removed by the next attempt
+  fs::remove_all(results_ / folder_, ignored);
+}
+
+std::string snapshot_name(std::size_t index, double time) {
+  return fmt::format("{:03}_{:.3f}ns.vtkhdf", index, time * 1e9);
+}
+
+std::string checksum_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
+  XXH3_128bits_reset(state.get());
+  std::vector<char> block(1 << 16);
+  while (file) {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    XXH3_128bits_update(state.get(), block.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.eof()) throw StorageError(path.string() + ": cannot be read");
+  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,48 @@
+#pragma once
+/// The files of one job: results/fields/KEY/003_2.200ns.vtkhdf. One worker owns them at a time.
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "libmpm/simulation.hpp"
+#include "runner/catalog/records.hpp"
+
+namespace mpmstudy {
+
+/// Writes one snapshot to a path; the file that has its name afterwards is whole and synced
+/// (mpm::write_vtkhdf). Throws on failure.
+using WriteSnapshot = std::function<void(const std::filesystem::path&, const mpm::Snapshot&)>;
+
+/// A file cannot be written: not the job's fault, so the job is planned again and the run stops.
+class StorageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class JobFiles {
+ public:
+  /// Removes what an earlier attempt may have left. Throws StorageError.
+  JobFiles(std::filesystem::path results, const std::string& key, WriteSnapshot);
+
+  /// Throws StorageError.
+  void add(const mpm::Snapshot&);
+  /// The folder's names reach the disk; gives back every file with size and checksum. Throws StorageError.
+  std::vector<SnapshotFile> close();
+  /// The attempt is given up: nothing of it stays.
+  void discard() noexcept;
+
+ private:
+  std::filesystem::path results_, folder_;
+  WriteSnapshot write_;
+  std::vector<SnapshotFile> files_;
+};
+
+/// "003_2.200ns.vtkhdf"
+std::string snapshot_name(std::size_t index, double time);
+
+/// XXH3-128 of a file's bytes as 32 hexadecimal digits. Throws StorageError.
+std::string checksum_of(const std::filesystem::path&);
+
+}  // namespace mpmstudy

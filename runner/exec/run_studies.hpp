@@ -1,0 +1,34 @@
+#pragma once
+/// One run of some studies against a catalog: register, execute what is not decided, count.
+#include <span>
+#include <string>
+
+#include "runner/catalog/writer.hpp"
+#include "runner/exec/executor.hpp"
+#include "runner/plan/plan.hpp"
+#include "runner/status/status.hpp"
+
+namespace mpmstudy {
+
+struct PlannedStudy {
+  Plan plan;
+  std::string title;
+};
+
+struct RunReport {
+  ExecutorReport executed;
+  std::int64_t reused = 0;       ///< done before
+  std::int64_t left_failed = 0;  ///< failed before and left so
+  std::int64_t elsewhere = 0;    ///< run by another process just now
+  int signal = 0;                ///< that stopped the run, or 0
+
+  std::int64_t left() const { return executed.stopped + executed.untouched + executed.elsewhere + elsewhere; }
+  /// 0 all decided, 1 some jobs failed, 75 stopped with work left, 130 interrupted.
+  int exit_code() const;
+};
+
+/// Studies share their jobs: a key is run once. Their jobs are one queue. Throws CatalogError.
+RunReport run_studies(std::span<const PlannedStudy>, bool retry_failed, CatalogWriter&, Status&,
+                      const Simulate&, const WriteSnapshot&, StopFlag&, const ExecutorOptions&);
+
+}  // namespace mpmstudy

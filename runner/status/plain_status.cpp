@@ -1,0 +1,125 @@
+#include "runner/status/plain_status.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <mutex>
+#include <ostream>
+
+#include "runner/status/eta.hpp"
+#include "runner/status/label.hpp"
+
+namespace mpmstudy {
+namespace {
+
+class PlainStatus : public Status {
+ public:
+  PlainStatus(std::ostream& out, PlainOptions options, StatusClock clock)
+      : out_(out), options_(std::move(options)), clock_(std::move(clock)), eta_(0, 1) {}
+
+  void run_started(const RunStart& start) override {
+    std::lock_guard lock(mutex_);
+    jobs_ = start.jobs;
+    eta_ = Eta(start.predicted_seconds, start.workers);
+    started_ = clock_();
+    if (!options_.quiet) out_ << start_text(start) << std::flush;
+  }
+
+  void job_started(const Job& job) override {
+    std::lock_guard lock(mutex_);
+    last_[job.key] = clock_();
+    if (!options_.quiet)
+      out_ << fmt::format("{} started: {} particles, about {} steps, {}\n", job.key.substr(0, 8),
+                          job.estimate.particles, job.estimate.steps, label_of(job.scene, options_.swept))
+           << std::flush;
+  }
+
+  void job_progress(const Job& job, const mpm::Progress& p) override {
+    std::lock_guard lock(mutex_);
+    const double fraction = p.end_time > 0 ? p.time / p.end_time : 0;
+    eta_.progress(job.key, job.predicted_seconds, fraction);
+    const double now = clock_();
+    if (options_.quiet || now - last_[job.key] < options_.progress_every_s) return;
+    last_[job.key] = now;
+    const auto left = eta_.remaining(now - started_);
+    out_ << fmt::format("{} {:3.0f} %, step {}, {:.3f} ns{}\n", job.key.substr(0, 8), 100 * fraction, p.step,
+                        p.time * 1e9, left ? ", all done in about " + readable_duration(*left) : "")
+         << std::flush;
+  }
+
+  void job_finished(const Job& job, const JobEnd& end) override {
+    std::lock_guard lock(mutex_);
+    last_.erase(job.key);
+    end.status == JobStatus::planned ? eta_.stopped(job.key) : eta_.finished(job.key, job.predicted_seconds);
+    ++finished_;
+    if (options_.quiet && end.status != JobStatus::failed) return;
+    out_ << end_line(finished_, jobs_, job, end, label_of(job.scene, options_.swept)) << "\n" << std::flush;
+  }
+
+  void run_finished(const RunEnd& end) override {
+    std::lock_guard lock(mutex_);
+    out_ << end_text(end) << std::flush;
+  }
+
+ private:
+  std::ostream& out_;
+  PlainOptions options_;
+  StatusClock clock_;
+  std::mutex mutex_;  // guards what follows, and out_
+  Eta eta_;
+  double started_ = 0;
+  std::int64_t jobs_ = 0, finished_ = 0;
+  std::map<std::string, double> last_;  // key -> when its last line was printed
+};
+
+}  // namespace
+
+StatusClock steady_status_clock() {
+  return [] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
+}
+
+std::unique_ptr<Status> make_plain_status(std::ostream& out, PlainOptions options, StatusClock clock) {
+  return std::make_unique<PlainStatus>(out, std::move(options), std::move(clock));
+}
+
+std::string end_line(std::int64_t number, std::int64_t of, const Job& job, const JobEnd& end,
+                     const std::string& label) {
+  std::string line = fmt::format("[{}/{}] {} ", number, of, job.key.substr(0, 8));
+  if (end.status == JobStatus::planned)
+    line += "stopped, will be run again: " + end.reason;
+  else if (end.status == JobStatus::failed)
+    line += "FAILED: " + end.reason;
+  else
+    line += fmt::format("done in {} ({} particles, {} steps, {} updates)", readable_duration(end.wall_s),
+                        end.particles, end.steps, readable_rate(end.updates_per_second()));
+  return label.empty() ? line : line + "  " + label;
+}
+
+std::string start_text(const RunStart& start) {
+  std::string text = fmt::format("{} jobs to run on {} workers", start.jobs, start.workers);
+  if (start.predicted_seconds > 0)
+    text += fmt::format(", about {} of one core", readable_duration(start.predicted_seconds));
+  text += "\n";
+  if (start.reused > 0) text += fmt::format("{} jobs are done already\n", start.reused);
+  if (start.taken_up > 0)
+    text += fmt::format("{} jobs are taken up from a process that is gone\n", start.taken_up);
+  if (start.left_failed > 0)
+    text += fmt::format("{} jobs failed before and are left so; --retry-failed runs them again\n",
+                        start.left_failed);
+  return text;
+}
+
+std::string end_text(const RunEnd& end) {
+  std::string text =
+      fmt::format("{} done, {} failed, {} reused, {} left", end.done, end.failed, end.reused, end.left);
+  text += fmt::format(" in {}", readable_duration(end.wall_s));
+  if (end.updates_per_second > 0)
+    text += fmt::format("; {} particle updates on each core", readable_rate(end.updates_per_second));
+  text += "\n";
+  if (!end.stop_reason.empty()) text += "stopped: " + end.stop_reason + "; run again to go on\n";
+  return text + "catalog: " + end.catalog + "\n";
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,171 @@
+// Opening: what is made, what is migrated, what is refused and left as it is.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "libmpm/scene/parameters.hpp"
+#include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/connection.hpp"
+#include "tests/runner/fakes.hpp"
+
+namespace mpmstudy {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string message_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const CatalogError& error) {
+    return error.what();
+  }
+  return "no CatalogError";
+}
+
+int integer(SQLite::Database& db, const std::string& sql) { return db.execAndGet(sql).getInt(); }
+
+class Opening : public testing::Test {
+ protected:
+  fakes::TemporaryFolder folder;
+  fs::path results = folder.path() / "results";
+  fs::path path = catalog_path(results);
+};
+
+TEST_F(Opening, makes_folder_and_catalog) {
+  const auto db = open_for_writing(results);
+  EXPECT_EQ(integer(*db, "PRAGMA user_version"), current_catalog_schema().version());
+  EXPECT_EQ(integer(*db, "PRAGMA application_id"), catalog_application_id);
+  EXPECT_EQ(db->execAndGet("PRAGMA journal_mode").getString(), "wal");
+  EXPECT_EQ(integer(*db,
+                    "SELECT count(*) FROM pragma_table_list WHERE type = 'table' AND strict = 0 "
+                    "AND schema = 'main' AND name NOT LIKE 'sqlite%'"),
+            0);
+  EXPECT_EQ(db->execAndGet("PRAGMA integrity_check").getString(), "ok");
+}
+
+TEST_F(Opening, makes_no_backup_of_what_is_current) {
+  open_for_writing(results);
+  open_for_writing(results);
+  for (const auto& entry : fs::directory_iterator(results))
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr("backup")));
+}
+
+TEST_F(Opening, migrates_an_older_layout_and_keeps_a_copy) {
+  open_for_writing(results)->exec(
+      "INSERT INTO study (name, title, updated_at) VALUES ('old', 'Old', '2030-01-01T00:00:00.000Z')");
+  auto next = current_catalog_schema();
+  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT;"});
+  {
+    const auto db = open_for_writing(results, next);
+    EXPECT_EQ(integer(*db, "PRAGMA user_version"), 2);
+    EXPECT_TRUE(db->tableExists("later"));
+    EXPECT_EQ(integer(*db, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
+  }
+  SQLite::Database backup(path.string() + ".v1.backup", SQLite::OPEN_READONLY);
+  EXPECT_EQ(integer(backup, "PRAGMA user_version"), 1);
+  EXPECT_FALSE(backup.tableExists("later"));
+  EXPECT_EQ(integer(backup, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
+}
+
+TEST_F(Opening, a_migration_that_fails_changes_nothing) {
+  open_for_writing(results);
+  auto next = current_catalog_schema();
+  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT; CREATE TABLE nonsense;"});
+  EXPECT_THROW(open_for_writing(results, next), CatalogError);
+  const auto db = open_for_writing(results);
+  EXPECT_EQ(integer(*db, "PRAGMA user_version"), 1);
+  EXPECT_FALSE(db->tableExists("later"));
+}
+
+TEST_F(Opening, a_new_parameter_gains_a_column) {
+  auto older = current_catalog_schema();
+  older.parameters.erase(older.parameters.begin());  // impact_speed_m_s
+  {
+    const auto db = open_for_writing(results, older);
+    EXPECT_EQ(integer(*db, "SELECT count(*) FROM pragma_table_info('jobs') WHERE name = 'impact_speed_m_s'"),
+              0);
+  }
+  const auto db = open_for_writing(results);
+  EXPECT_EQ(integer(*db, "SELECT count(*) FROM pragma_table_info('jobs') WHERE name = 'impact_speed_m_s'"),
+            1);
+  EXPECT_TRUE(fs::exists(path.string() + ".v1.backup"));
+  // The older program goes on with it, and takes nothing away.
+  open_for_writing(results, older);
+  EXPECT_EQ(integer(*db, "SELECT count(*) FROM pragma_table_info('jobs') WHERE name = 'impact_speed_m_s'"),
+            1);
+}
+
+TEST_F(Opening, a_newer_catalog_is_refused_and_left_as_it_is) {
+  auto next = current_catalog_schema();
+  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT;"});
+  open_for_writing(results, next);
+  const auto before = bytes_of(path);
+  for (const auto& message :
+       {message_of([&] { open_for_writing(results); }), message_of([&] { open_for_reading(results); })}) {
+    EXPECT_THAT(message, HasSubstr(path.string()));
+    EXPECT_THAT(message, HasSubstr("newer mpmstudy (catalog version 2, this program knows up to 1)"));
+  }
+  EXPECT_EQ(bytes_of(path), before);
+}
+
+TEST_F(Opening, a_database_of_another_program_is_refused_and_left_as_it_is) {
+  fs::create_directories(results);
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t (a)");
+  const auto before = bytes_of(path);
+  EXPECT_THAT(message_of([&] { open_for_writing(results); }), HasSubstr("database of another program"));
+  EXPECT_THAT(message_of([&] { open_for_reading(results); }), HasSubstr("database of another program"));
+  EXPECT_EQ(bytes_of(path), before);
+}
+
+TEST_F(Opening, a_file_that_is_no_database_is_refused_and_left_as_it_is) {
+  fs::create_directories(results);
+  const std::string text(5000, 'x');
+  std::ofstream(path) << text;
+  EXPECT_THAT(message_of([&] { open_for_writing(results); }), HasSubstr("not a SQLite database"));
+  EXPECT_THAT(message_of([&] { open_for_reading(results); }), HasSubstr("not a SQLite database"));
+  EXPECT_EQ(bytes_of(path), text);
+}
+
+TEST_F(Opening, a_results_folder_that_cannot_be_is_refused) {
+  std::ofstream(folder.path() / "file") << "x";
+  for (const char* name : {"file", "file/results"})
+    EXPECT_THAT(message_of([&] { open_for_writing(folder.path() / name); }),
+                AllOf(HasSubstr(name), HasSubstr("results folder"), HasSubstr("--results")));
+}
+
+TEST_F(Opening, a_folder_in_the_place_of_the_catalog_is_refused) {
+  fs::create_directories(path);
+  EXPECT_THAT(message_of([&] { open_for_writing(results); }), HasSubstr("cannot be opened"));
+}
+
+TEST_F(Opening, reading_needs_a_catalog) {
+  EXPECT_THAT(message_of([&] { open_for_reading(results); }), HasSubstr("there is no catalog"));
+  EXPECT_FALSE(fs::exists(results));
+}
+
+TEST_F(Opening, every_parameter_has_a_typed_column) {
+  const auto db = open_for_writing(results);
+  for (const auto& quantity : mpm::quantities())
+    EXPECT_EQ(db->execAndGet("SELECT type FROM pragma_table_info('jobs') WHERE name = '" +
+                             std::string(quantity.column) + "'")
+                  .getString(),
+              "REAL");
+  for (const auto& choice : mpm::choices())
+    EXPECT_EQ(db->execAndGet("SELECT type FROM pragma_table_info('jobs') WHERE name = '" +
+                             std::string(choice.column) + "'")
+                  .getString(),
+              "TEXT");
+}
+
+}  // namespace
+}  // namespace mpmstudy

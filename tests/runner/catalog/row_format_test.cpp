@@ -1,0 +1,82 @@
+#include "runner/catalog/row_format.hpp"
+
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/output_file.hpp"
+#include "tests/runner/fakes.hpp"
+
+namespace mpmstudy {
+namespace {
+
+std::string print(RowFormat format, const std::vector<std::string>& names,
+                  const std::vector<std::vector<SqlValue>>& rows) {
+  std::ostringstream out;
+  const auto sink = make_row_sink(format, out);
+  sink->columns(names);
+  for (const auto& row : rows) sink->row(row);
+  sink->end();
+  return out.str();
+}
+
+TEST(RowFormat, csv_quotes_what_needs_it) {
+  EXPECT_EQ(print(RowFormat::csv, {"a", "b,c"},
+                  {{std::int64_t{1}, std::string("x \"y\"\nz")}, {SqlValue(), std::string()}, {0.1, -2.0}}),
+            "a,\"b,c\"\r\n1,\"x \"\"y\"\"\nz\"\r\n,\"\"\r\n0.1,-2.0\r\n");
+}
+
+TEST(RowFormat, json_is_json) {
+  const auto text = print(RowFormat::json, {"a", "b"},
+                          {{std::int64_t{1}, std::string("\"\n\x01 \xff")}, {SqlValue(), 0.5}, {NAN, 1e300}});
+  const auto json = nlohmann::json::parse(text);
+  EXPECT_EQ(json.size(), 3u);
+  EXPECT_EQ(json[0]["a"], 1);
+  EXPECT_TRUE(json[1]["a"].is_null());
+  EXPECT_EQ(json[1]["b"], 0.5);
+  EXPECT_TRUE(json[2]["a"].is_null());
+  EXPECT_EQ(nlohmann::json::parse(print(RowFormat::json, {"a"}, {})), nlohmann::json::array());
+}
+
+TEST(RowFormat, table_is_aligned) {
+  EXPECT_EQ(print(RowFormat::table, {"name", "n"},
+                  {{std::string("a"), std::int64_t{10}}, {std::string("b\x1b[2J"), std::int64_t{5}}}),
+            "name    n\n------  --\na       10\nb [2J    5\n");
+}
+
+TEST(RowFormat, doubles_come_back_bit_for_bit) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const double value = std::bit_cast<double>(random());
+    if (std::isnan(value)) continue;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(shortest(value).c_str(), nullptr)),
+              std::bit_cast<std::uint64_t>(value));
+  }
+  EXPECT_EQ(shortest(5), "5.0");
+  EXPECT_EQ(shortest(INFINITY), "inf");
+}
+
+TEST(OutputFile, appears_when_it_is_whole) {
+  const fakes::TemporaryFolder folder;
+  const auto path = folder.path() / "new" / "a.csv";
+  {
+    OutputFile file(path);
+    file.stream() << "half";
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(path.parent_path()));
+  OutputFile file(path);
+  file.stream() << "whole";
+  EXPECT_FALSE(std::filesystem::exists(path));
+  file.commit();
+  EXPECT_EQ(std::filesystem::file_size(path), 5u);
+  EXPECT_THROW(OutputFile(path / "below-a-file"), CatalogError);
+}
+
+}  // namespace
+}  // namespace mpmstudy

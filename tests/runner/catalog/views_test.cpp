@@ -1,0 +1,107 @@
+// The names that queries, figures and other programs rely on. A failure here is a broken promise: add
+// columns at the end, rename none.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "runner/catalog/query.hpp"
+#include "runner/catalog/writer.hpp"
+#include "tests/runner/fakes.hpp"
+
+namespace mpmstudy {
+namespace {
+
+using Names = std::vector<std::string>;
+
+class Views : public testing::Test {
+ protected:
+  Views() { CatalogWriter writer(folder.path()); }
+  Names columns(const std::string& view) { return query(folder.path(), "SELECT * FROM " + view).names; }
+  fakes::TemporaryFolder folder;
+};
+
+TEST_F(Views, jobs) {
+  const auto names = columns("jobs");
+  const Names start(names.begin(), names.begin() + 4);
+  EXPECT_EQ(start, (Names{"key", "study", "status", "reason"}));
+  EXPECT_THAT(names,
+              testing::IsSupersetOf(Names{
+                  "impact_speed_m_s", "wall_thickness_m", "cavity_radius_m", "yield_stress_Pa",
+                  "cavity_center_height_m", "block_height_m", "block_width_m", "inner_radius_m",
+                  "outer_radius_m", "inner_speed_m_s", "cell_size_m", "end_time_s", "scheme", "symmetry"}));
+  const Names results = {"particles",
+                         "steps",
+                         "wall_s",
+                         "cpu_s",
+                         "energy_error",
+                         "outcome",
+                         "initial_area_m2",
+                         "final_area_m2",
+                         "final_area_error_m2",
+                         "collapsibility",
+                         "collapsibility_error",
+                         "physics_version",
+                         "git_revision",
+                         "host",
+                         "scene",
+                         "material",
+                         "position",
+                         "attempt",
+                         "started_at",
+                         "finished_at",
+                         "predicted_s",
+                         "particle_updates_per_s"};
+  ASSERT_GT(names.size(), results.size());
+  EXPECT_EQ(Names(names.end() - static_cast<long>(results.size()), names.end()), results);
+}
+
+TEST_F(Views, others) {
+  EXPECT_EQ(columns("metrics"), (Names{"key", "name", "value", "unit", "error"}));
+  EXPECT_EQ(columns("area_history"), (Names{"key", "time_s", "area_m2", "void_area_m2"}));
+  EXPECT_EQ(columns("critical_speed"), (Names{"study", "wall_thickness_m", "lower_m_s", "upper_m_s",
+                                              "lower_key", "upper_key", "cell_size_m"}));
+  EXPECT_EQ(columns("fits"), (Names{"study", "quantity", "model", "coefficient", "value", "standard_error",
+                                    "r2", "unit", "against"}));
+  EXPECT_EQ(columns("snapshots"), (Names{"key", "time_s", "path", "bytes", "checksum", "step"}));
+  EXPECT_EQ(columns("events"),
+            (Names{"key", "from_status", "to_status", "at", "by", "attempt", "reason", "id"}));
+  EXPECT_EQ(columns("studies"), (Names{"name", "title", "updated_at"}));
+}
+
+TEST_F(Views, every_column_is_documented) {
+  std::ifstream file(SOURCE_DIR "/runner/catalog/README.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  for (const char* view :
+       {"jobs", "metrics", "area_history", "critical_speed", "fits", "snapshots", "events", "studies"})
+    for (const auto& column : columns(view))
+      EXPECT_THAT(text.str(), testing::HasSubstr("`" + column + "`")) << view;
+}
+
+TEST_F(Views, what_a_scene_lacks_is_null) {
+  CatalogWriter writer(folder.path());
+  auto planar = fakes::job(1);
+  planar.scene.kind = mpm::SceneKind::planar_impact;
+  planar.scene.material.yield_stress = INFINITY;
+  writer.register_study("planar", "Planar impact", {planar}, false);
+  const auto rows =
+      query(folder.path(),
+            "SELECT impact_speed_m_s, cavity_radius_m, inner_radius_m, yield_stress_Pa, scheme, scene, "
+            "material, study, particles_per_cell FROM jobs");
+  ASSERT_EQ(rows.rows.size(), 1u);
+  const auto& row = rows.rows[0];
+  EXPECT_EQ(row[0], SqlValue(200.0));
+  EXPECT_EQ(row[1], SqlValue());
+  EXPECT_EQ(row[2], SqlValue());
+  EXPECT_EQ(row[3], SqlValue(static_cast<double>(INFINITY)));
+  EXPECT_EQ(row[4], SqlValue("gimp"));
+  EXPECT_EQ(row[5], SqlValue("planar-impact"));
+  EXPECT_EQ(row[6], SqlValue("aluminium"));
+  EXPECT_EQ(row[7], SqlValue("planar"));
+  EXPECT_EQ(row[8], SqlValue(1.0));
+}
+
+}  // namespace
+}  // namespace mpmstudy

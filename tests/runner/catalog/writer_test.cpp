@@ -1,0 +1,255 @@
+// The writer: whole rows, exact bits, states that tell the truth, readers beside it.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <thread>
+
+#include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/query.hpp"
+#include "runner/catalog/reader.hpp"
+#include "runner/catalog/writer.hpp"
+#include "tests/runner/fakes.hpp"
+
+namespace mpmstudy {
+namespace {
+
+class Writer : public testing::Test {
+ protected:
+  std::int64_t count(const std::string& sql) {
+    return std::get<std::int64_t>(query(folder.path(), "SELECT count(*) FROM " + sql).rows.at(0).at(0));
+  }
+  SqlValue one(const std::string& sql) { return query(folder.path(), sql).rows.at(0).at(0); }
+  static FinishedJob finished(const Job& job) {
+    FinishedJob f;
+    f.key = job.key;
+    f.result = fakes::result_of(job.scene);
+    f.snapshots = {{1e-9, 3, "fields/" + job.key + "/000_1.000ns.vtkhdf", 10, "00ff"}};
+    f.wall_s = 1.5;
+    f.cpu_s = 1.25;
+    return f;
+  }
+  fakes::TemporaryFolder folder;
+};
+
+TEST_F(Writer, a_job_goes_from_planned_to_done_once) {
+  CatalogWriter writer(folder.path());
+  const auto plan = fakes::plan(2);
+  const auto registration = writer.register_study("s", "S", plan.jobs, false);
+  EXPECT_EQ(registration.to_run, (std::vector{fakes::key(1), fakes::key(2)}));
+  EXPECT_TRUE(writer.claim(fakes::key(1)));
+  EXPECT_FALSE(writer.claim(fakes::key(1)));
+  writer.finish(finished(plan.jobs[0]));
+  writer.flush();
+  EXPECT_EQ(count("jobs WHERE status = 'done' AND wall_s = 1.5 AND cpu_s = 1.25"), 1);
+  EXPECT_EQ(count("metrics"), 2);
+  EXPECT_EQ(count("area_history"), 50);
+  EXPECT_EQ(count("snapshots"), 1);
+  EXPECT_EQ(count("events WHERE key LIKE '%1'"), 3);
+  const auto again = writer.register_study("s", "S", plan.jobs, false);
+  EXPECT_EQ(again.done, 1);
+  EXPECT_EQ(again.to_run, (std::vector{fakes::key(2)}));
+}
+
+TEST_F(Writer, doubles_keep_their_bits) {
+  CatalogWriter writer(folder.path());
+  auto job = fakes::job(1);
+  job.scene.cavity_radius = std::nextafter(1e-6, 1);
+  writer.register_study("s", "S", {job}, false);
+  ASSERT_TRUE(writer.claim(job.key));
+  auto f = finished(job);
+  const double odd[] = {0.1 + 0.2, 5e-324, -1.7976931348623157e308, 1.0 / 3, INFINITY, 3.0, 1e300 / 7};
+  f.result.metrics.clear();
+  for (std::size_t i = 0; i < std::size(odd); ++i)
+    f.result.metrics.push_back({"m" + std::to_string(i), odd[i], "1", {}});
+  f.result.metrics.push_back({"m9", NAN, "1", {}});
+  writer.finish(f);
+  writer.flush();
+  const auto rows = query(folder.path(), "SELECT value FROM metrics ORDER BY name").rows;
+  for (std::size_t i = 0; i < std::size(odd); ++i)
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(std::get<double>(rows[i][0])),
+              std::bit_cast<std::uint64_t>(odd[i]));
+  EXPECT_EQ(rows.back()[0], SqlValue());  // not a number: null
+  EXPECT_EQ(one("SELECT cavity_radius_m FROM jobs"), SqlValue(job.scene.cavity_radius));
+}
+
+TEST_F(Writer, studies_share_jobs) {
+  CatalogWriter writer(folder.path());
+  writer.register_study("a", "A", fakes::plan(3).jobs, false);
+  writer.register_study("b", "B", fakes::plan(2).jobs, false);
+  EXPECT_EQ(count("jobs"), 5);
+  EXPECT_EQ(count("(SELECT DISTINCT key FROM jobs)"), 3);
+  // a no longer has job 2 and 3: 2 stays planned for b, 3 is nobody's.
+  writer.register_study("a", "A", fakes::plan(1).jobs, false);
+  EXPECT_EQ(one("SELECT status FROM jobs WHERE key LIKE '%2'"), SqlValue("planned"));
+  EXPECT_EQ(one("SELECT status FROM jobs WHERE key LIKE '%3'"), SqlValue("cancelled"));
+  EXPECT_EQ(one("SELECT study FROM jobs WHERE key LIKE '%3'"), SqlValue());
+  EXPECT_EQ(writer.register_study("a", "A", fakes::plan(3).jobs, false).to_run.size(), 3u);
+}
+
+TEST_F(Writer, failed_jobs_are_left_unless_told) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(1).jobs;
+  writer.register_study("s", "S", jobs, false);
+  writer.claim(jobs[0].key);
+  auto f = finished(jobs[0]);
+  f.status = JobStatus::failed;
+  f.reason = "step 7: particle 3 has no volume";
+  writer.finish(f);
+  EXPECT_EQ(writer.register_study("s", "S", jobs, false).failed, 1);
+  const auto state = read_state(folder.path());
+  ASSERT_EQ(state.failed.size(), 1u);
+  EXPECT_EQ(state.failed[0].reason, f.reason);
+  EXPECT_EQ(writer.register_study("s", "S", jobs, true).to_run.size(), 1u);
+  EXPECT_TRUE(writer.claim(jobs[0].key));
+  EXPECT_EQ(one("SELECT attempt FROM jobs"), SqlValue(std::int64_t{2}));
+}
+
+TEST_F(Writer, a_second_result_replaces_the_first_attempts) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(1).jobs;
+  writer.register_study("s", "S", jobs, false);
+  for (const auto status : {JobStatus::failed, JobStatus::done}) {
+    ASSERT_TRUE(writer.claim(jobs[0].key));
+    auto f = finished(jobs[0]);
+    f.status = status;
+    writer.finish(f);
+    writer.register_study("s", "S", jobs, true);
+  }
+  EXPECT_EQ(count("area_history"), 50);
+  EXPECT_EQ(count("metrics"), 2);
+}
+
+TEST_F(Writer, a_result_of_a_job_that_is_not_ours_is_an_error) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(1).jobs;
+  writer.register_study("s", "S", jobs, false);
+  writer.finish(finished(jobs[0]));  // never claimed
+  EXPECT_THROW(writer.flush(), CatalogError);
+  EXPECT_THROW(writer.claim(jobs[0].key), CatalogError);
+  EXPECT_EQ(count("jobs WHERE status = 'planned'"), 1);
+  EXPECT_EQ(count("metrics"), 0);
+}
+
+TEST_F(Writer, two_writers_never_claim_the_same_job) {
+  CatalogWriter a(folder.path()), b(folder.path());
+  const auto jobs = fakes::plan(50).jobs;
+  a.register_study("s", "S", jobs, false);
+  std::atomic<int> claimed = 0;
+  std::thread other([&] {
+    for (const auto& job : jobs) claimed += b.claim(job.key);
+  });
+  for (const auto& job : jobs) claimed += a.claim(job.key);
+  other.join();
+  EXPECT_EQ(claimed, 50);
+  EXPECT_EQ(a.register_study("s", "S", jobs, false).running_elsewhere, 50);
+}
+
+TEST_F(Writer, jobs_of_a_process_that_is_gone_are_planned_again) {
+  const auto jobs = fakes::plan(1).jobs;
+  WriterOptions dead;
+  dead.store.process.pid = 1;  // lives, but began at another time
+  CatalogWriter zombie(folder.path(), dead);
+  zombie.register_study("s", "S", jobs, false);
+  ASSERT_TRUE(zombie.claim(jobs[0].key));
+  CatalogWriter writer(folder.path());
+  const auto registration = writer.register_study("s", "S", jobs, false);
+  EXPECT_EQ(registration.taken_up, 1);
+  EXPECT_EQ(registration.to_run.size(), 1u);
+  EXPECT_EQ(count("events WHERE from_status = 'running' AND to_status = 'planned' AND reason LIKE '%gone%'"),
+            1);
+  zombie.finish(finished(jobs[0]));  // too late: the job is not its own any longer
+  EXPECT_THROW(zombie.flush(), CatalogError);
+}
+
+TEST_F(Writer, jobs_of_another_host_are_its_own_while_it_gives_signs_of_life) {
+  const auto jobs = fakes::plan(1).jobs;
+  WriterOptions far;
+  far.store.process.host = "another-host";
+  CatalogWriter other(folder.path(), far);
+  other.register_study("s", "S", jobs, false);
+  ASSERT_TRUE(other.claim(jobs[0].key));
+  CatalogWriter writer(folder.path());
+  EXPECT_EQ(writer.register_study("s", "S", jobs, false).running_elsewhere, 1);
+  WriterOptions impatient;
+  impatient.store.heartbeat_expires_s = -1;
+  CatalogWriter later(folder.path(), impatient);
+  EXPECT_EQ(later.register_study("s", "S", jobs, false).taken_up, 1);
+}
+
+TEST_F(Writer, readers_see_whole_rows_while_it_writes) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(60).jobs;
+  writer.register_study("s", "S", jobs, false);
+  std::atomic<bool> over = false;
+  std::atomic<int> looks = 0;
+  std::thread reader([&] {
+    while (!over || looks == 0) {
+      const auto rows =
+          query(folder.path(),
+                "SELECT count(*), (SELECT count(*) FROM area_history), (SELECT count(*) FROM metrics), "
+                "(SELECT count(*) FROM snapshots) FROM jobs WHERE status = 'done'")
+              .rows[0];
+      const auto done = std::get<std::int64_t>(rows[0]);
+      EXPECT_EQ(std::get<std::int64_t>(rows[1]), 50 * done);
+      EXPECT_EQ(std::get<std::int64_t>(rows[2]), 2 * done);
+      EXPECT_EQ(std::get<std::int64_t>(rows[3]), done);
+      ++looks;
+    }
+  });
+  for (const auto& job : jobs) {
+    ASSERT_TRUE(writer.claim(job.key));
+    writer.finish(finished(job));
+  }
+  writer.flush();
+  over = true;
+  reader.join();
+  EXPECT_EQ(count("jobs WHERE status = 'done'"), 60);
+}
+
+TEST_F(Writer, fits_and_brackets_replace_those_before) {
+  CatalogWriter writer(folder.path());
+  writer.register_study("s", "S", {}, false);
+  const FitRow c0{"collapsibility", "cavity_radius", "quadratic", "c0", 0.1, 0.01, 0.99, "1"};
+  auto c1 = c0;
+  c1.coefficient = "c1";
+  c1.standard_error.reset();
+  writer.replace_fits("s", {c0, c1});
+  writer.replace_fits("s", {c0, c1});
+  EXPECT_EQ(count("fits WHERE study = 's' AND against = 'cavity_radius'"), 2);
+  EXPECT_EQ(count("fits WHERE standard_error IS NULL"), 1);
+  writer.replace_critical_speeds("s", {{2.1e-6, 200, 210, "a", "b", 1e-7}});
+  writer.replace_critical_speeds("s", {{2.1e-6, 200, 205, "a", "c", 1e-7}});
+  EXPECT_EQ(one("SELECT upper_m_s FROM critical_speed"), SqlValue(205.0));
+  EXPECT_THROW(writer.replace_fits("unknown", {}), CatalogError);
+  writer.flush();  // an answer that was an error does not break the writer
+}
+
+TEST_F(Writer, state_names_who_runs_what) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(3).jobs;
+  writer.register_study("s", "S", jobs, false);
+  writer.claim(jobs[1].key);
+  const auto state = read_state(folder.path(), {"s"});
+  ASSERT_EQ(state.studies.size(), 1u);
+  EXPECT_EQ(state.studies[0].jobs.at(JobStatus::planned), 2);
+  ASSERT_EQ(state.running.size(), 1u);
+  EXPECT_EQ(state.running[0].key, jobs[1].key);
+  EXPECT_THAT(state.running[0].by, testing::EndsWith(":" + std::to_string(getpid())));
+  EXPECT_THROW(read_state(folder.path(), {"other"}), CatalogError);
+}
+
+TEST_F(Writer, a_large_study_that_is_done_starts_at_once) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(2000).jobs;
+  writer.register_study("s", "S", jobs, false);
+  const auto start = std::chrono::steady_clock::now();
+  writer.register_study("s", "S", jobs, false);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+}
+
+}  // namespace
+}  // namespace mpmstudy
