@@ -14,6 +14,11 @@ struct Node {
   Vec2 acceleration = Vec2::Zero();  ///< internal force [N/m], then acceleration [m/s^2]
 };
 
+/// Rows of nodes first ... last; empty if last < first.
+struct RowRange {
+  int first = 0, last = -1;
+};
+
 /// Uniform grid of nodes x = origin + (i hx, j hy), with one layer of ghost nodes below and on both sides
 /// (behind the mirrors) and as many rows upwards as the particles ask for. Rows are contiguous.
 class Grid {
