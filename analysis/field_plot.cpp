@@ -49,7 +49,7 @@ std::pair<double, double> colour_range(const FieldPlot& plot) {
   double low = values[cut], high = values[values.size() - 1 - cut];
   // Fields like pressure are near zero where nothing has happened: begin there, not at the noise.
   if (low > 0 && low < 0.2 * high) low = 0;
-  if (!(high > low)) high = low + std::max(std::abs(low), 1e-300);
+  if (!(high > low)) high = low + (low == 0 ? 1 : std::abs(low));
   return {low, high};
 }
 

@@ -90,7 +90,9 @@ Window window_of(const std::vector<const Particles*>& snapshots, bool mirrored) 
     w = {std::min(w.x_min, x0), std::max(w.x_max, x1), std::min(w.y_min, y0), std::max(w.y_max, y1)};
   }
   if (mirrored) w.x_min = -(w.x_max = std::max(std::abs(w.x_min), std::abs(w.x_max)));
-  const double margin = 0.03 * std::max(w.width(), w.height());
+  double margin = 0.03 * std::max(w.width(), w.height());
+  for (const Particles* s : snapshots)
+    margin = std::max(margin, spread(s->size).second);  // a single particle has room
   return {w.x_min - margin, w.x_max + margin, w.y_min - margin, w.y_max + margin};
 }
 

@@ -31,6 +31,7 @@ Material aluminium() {
   m.bulk_sound_speed = 5350;
   m.hugoniot_slope = 1.34;
   m.gruneisen_gamma = 1.96;
+  m.pressure_limit = 270e9;
   m.specific_heat = 880;
   m.initial_temperature = 300;
   return m;

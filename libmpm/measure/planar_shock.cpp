@@ -70,7 +70,7 @@ double PlanarShock::arrival(std::size_t gauge, double stress) const {
 
 double PlanarShock::front_speed(double stress) const {
   std::vector<double> heights, arrivals;
-  for (std::size_t g = first_gauge_above(0.5 * height_); g < first_gauge_above(0.9 * height_); ++g) {
+  for (std::size_t g = first_gauge_above(0.5 * height_); g < first_gauge_above(0.8 * height_); ++g) {
     const double t = arrival(g, stress);
     if (t < 0) return 0;
     heights.push_back(gauge_height_[g]);

@@ -10,7 +10,7 @@ namespace mpm {
 ///
 /// Plateau: mean over gauges from 0.15 H to 0.45 H at the time when the plastic front is at 0.6 H. Its noise:
 /// rms deviation of the normal stress over its mean. Fronts (Lagrangian speeds): straight line through the
-/// times at which gauges from 0.5 H to 0.9 H first pass half of the elastic limit, and the mean of the
+/// times at which gauges from 0.5 H to 0.8 H first pass half of the elastic limit, and the mean of the
 /// elastic limit and the plateau. A wave that outruns the precursor (overdriven) leaves no elastic speed.
 /// Free-surface speed: against the moving body, mean over a quarter of the plastic wave's transit time, from
 /// half a transit after its arrival at the top. Metrics: shock_normal_stress_Pa, shock_pressure_Pa,
@@ -29,7 +29,7 @@ class PlanarShock : public Measurement {
   std::size_t first_gauge_above(double height) const;
   /// Time at which a gauge first passes the stress, by linear interpolation; negative if it never does.
   double arrival(std::size_t gauge, double stress) const;
-  /// Speed of the front that passes `stress` [m/s]; 0 if it was not seen at 0.9 H.
+  /// Speed of the front that passes `stress` [m/s]; 0 if it was not seen at 0.8 H.
   double front_speed(double stress) const;
 
   double height_, impact_speed_, elastic_limit_, elastic_speed_;

@@ -38,7 +38,7 @@ double empty_part(const double (&corner)[4]) {
 
 }  // namespace
 
-Indicator indicator_of(const State& s) {
+Indicator indicator_of(const State& s, int points_per_particle) {
   const Grid& g = s.grid;
   const Particles& ps = s.particles;
   double highest = g.origin().y();
@@ -52,10 +52,15 @@ Indicator indicator_of(const State& s) {
 
   const double inverse = g.inverse_cell().x() * g.inverse_cell().y();
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    const Stencil n = stencil_at<BSpline2>(g, ps.position[p], Vec2::Zero());
-    const double share = ps.volume(p) * inverse;
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) at(n.x.first + i, n.y.first + j) += share * n.weight(i, j);
+    const double share = ps.volume(p) * inverse / points_per_particle;
+    for (int k = 0; k < points_per_particle; ++k) {
+      Vec2 x = ps.position[p];
+      if (points_per_particle == 4)
+        x += 0.5 * Vec2(k % 2 ? 1 : -1, k / 2 ? 1 : -1).cwiseProduct(ps.half_size[p]);
+      const Stencil n = stencil_at<BSpline2>(g, x, Vec2::Zero());
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) at(n.x.first + i, n.y.first + j) += share * n.weight(i, j);
+    }
   }
   const int right = g.columns();
   for (int j = -1; j <= rows; ++j) {
@@ -73,7 +78,11 @@ Indicator indicator_of(const State& s) {
 }
 
 VoidArea::VoidArea(Vec2 center, double radius, bool full_width, int particles_per_cell)
-    : center_(center), radius_(radius), full_width_(full_width), particles_per_cell_(particles_per_cell) {}
+    : center_(center),
+      radius_(radius),
+      full_width_(full_width),
+      points_per_particle_(particles_per_cell == 1 ? 4 : 1),
+      points_per_cell_(points_per_particle_ * particles_per_cell) {}
 
 /// Empty nodes of the cavity at the start; later, empty nodes of or beside the last region.
 void VoidArea::seed(const Indicator& f, const Vec2& origin, std::vector<char>& region) const {
@@ -97,7 +106,7 @@ void VoidArea::seed(const Indicator& f, const Vec2& origin, std::vector<char>& r
 }
 
 double VoidArea::update(const State& s) {
-  const Indicator f = indicator_of(s);
+  const Indicator f = indicator_of(s, points_per_particle_);
   const int stride = f.columns + 1;
   std::vector<char> region(f.fraction.size(), 0);
   seed(f, s.grid.origin(), region);
@@ -142,7 +151,7 @@ double VoidArea::update(const State& s) {
   previous_columns_ = f.columns;
   previous_rows_ = f.rows;
   if (!any) return 0;
-  const double variance = 1.0 / 4 + 1.0 / 6 - 1.0 / (12.0 * particles_per_cell_);
+  const double variance = 1.0 / 4 + 1.0 / 6 - 1.0 / (12.0 * points_per_cell_);
   const double closed = joined_outside_ ? 0 : touches_wall_ ? 0.5 : 1;
   return ((full_width_ ? 1 : 2) * cells + closed * pi * variance) * f.cell.x() * f.cell.y();
 }

@@ -15,14 +15,16 @@ struct Indicator {
 
   double at(int i, int j) const { return fraction[static_cast<std::size_t>(j * (columns + 1) + i)]; }
 };
-Indicator indicator_of(const State&);
+Indicator indicator_of(const State&, int points_per_particle);
 
 /// The cavity as the empty region (phi < 1/2) that is connected to where it was before.
 ///
 /// Area: marching squares on phi, plus pi s^2 for a closed curve. phi is the material smeared by a kernel of
 /// variance s^2 an axis, which shifts a curve of curvature k by s^2 k/2 towards its centre; around a closed
 /// curve that takes pi s^2 from the area whatever its form (Gauss-Bonnet). s^2 = h^2 (1/4 + 1/6 - 1/(12
-/// n^2)): B-spline, linear interpolation, and particles (n a cell edge) that stand for squares.
+/// n^2)): B-spline, linear interpolation, and points (n a cell
+/// edge) that stand for squares. A particle that is alone in its cell is split into four points: one would
+/// leave steps in phi along the edge.
 class VoidArea {
  public:
   /// Throws nothing. `full_width`: the whole block is modelled, not half of it.
@@ -40,7 +42,7 @@ class VoidArea {
   Vec2 center_;
   double radius_;
   bool full_width_;
-  int particles_per_cell_;
+  int points_per_particle_, points_per_cell_;
   bool started_ = false, joined_outside_ = false, touches_wall_ = false;
   int previous_columns_ = 0, previous_rows_ = 0;
   std::vector<char> previous_;  ///< nodes of the region at the last update

@@ -33,7 +33,8 @@ class Schedule {
 };
 
 /// The health of a run after a step; empty if it is well.
-std::string breakdown(const State& state, const StepReport& report, double energy_error) {
+std::string breakdown(const State& state, const StepReport& report, double pressure_limit,
+                      double energy_error) {
   // rho0/rho of 1/4 is beyond the range of the equation of state; of 10, torn to nothing.
   constexpr double lowest = -0.75, highest = 9;
   std::ostringstream text;
@@ -42,11 +43,14 @@ std::string breakdown(const State& state, const StepReport& report, double energ
   else if (report.smallest_dilation < lowest || report.largest_dilation > highest)
     text << "density left its range: rho0/rho from " << 1 + report.smallest_dilation << " to "
          << 1 + report.largest_dilation << ", allowed " << 1 + lowest << " to " << 1 + highest;
+  else if (report.largest_pressure > pressure_limit)
+    text << "pressure " << report.largest_pressure
+         << " Pa is beyond the equation of state, pressure_limit = " << pressure_limit << " Pa";
   else if (!(energy_error < 0.01))
     text << "energy error " << energy_error << ", allowed 0.01";
   else
     return {};
-  text << " (step " << state.step << ", t = " << state.time << " s); a smaller cfl or cell_size may help";
+  text << " (step " << state.step << ", t = " << state.time << " s)";
   return text.str();
 }
 
@@ -101,7 +105,7 @@ RunResult run(const Scene& scene, Observer& observer) {
     for (const auto& m : measurements) m->after_step(state, report, dt);
     result.steps = state.step;
 
-    result.reason = breakdown(state, report, balance.energy_error());
+    result.reason = breakdown(state, report, scene.material.pressure_limit, balance.energy_error());
     if (!result.reason.empty()) {
       result.status = RunStatus::failed;
       result.energy_error = balance.energy_error();

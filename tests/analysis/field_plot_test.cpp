@@ -93,6 +93,14 @@ TEST_F(FieldPlotTest, PanelsTitlesUnitsAndSize) {
   EXPECT_NE(read("f.png"), read("g.png"));
 }
 
+TEST_F(FieldPlotTest, OneParticleWithoutAValueToSpeakOfIsDrawn) {
+  FieldPlot plot;
+  plot.value = named_quantity("plastic_work");
+  plot.panels.push_back({"t = 0 ns", {{1e-6}, {2e-6}, {1e-7}, {0}}});
+  draw(plot, folder_ / "one");
+  EXPECT_GT(png_size(read("one.png")).first, 0);
+}
+
 TEST_F(FieldPlotTest, NothingToDrawIsAnError) {
   FieldPlot plot;
   EXPECT_THROW(draw(plot, folder_ / "f"), std::invalid_argument);

@@ -1,4 +1,7 @@
 #pragma once
+#include <limits>
+#include <string_view>
+
 #include "libmpm/mpm.hpp"
 
 /// Scenes that several tests share. Small: a run takes well under a second.

@@ -97,8 +97,8 @@ TYPED_TEST(StepTest, ImpactWallPushesAndDoesNotPull) {
     mpm::Vec2 impulse = mpm::Vec2::Zero();
     for (int k = 0; k < 20; ++k) impulse += mpm::reference_step<TypeParam>(s, material, 2e-12).wall_impulse;
     if (speed > 0) {
-      EXPECT_EQ(impulse.y(), 0);
-      for (const double p : s.particles.pressure) EXPECT_EQ(p, 0);
+      EXPECT_NEAR(impulse.y(), 0, 1e-20);  // kg/s, against some 1e-6 of a wall that pulls
+      for (const double p : s.particles.pressure) EXPECT_NEAR(p, 0, 1e-3);
     } else {
       EXPECT_GT(impulse.y(), 0);
       EXPECT_GT(s.particles.pressure[0], 1e9);

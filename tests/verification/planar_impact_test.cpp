@@ -1,6 +1,8 @@
 // Planar impact against the exact elastic-plastic states.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/libmpm/scenes.hpp"
 
 namespace {

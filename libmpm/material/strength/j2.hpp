@@ -43,7 +43,8 @@ struct J2 {
       const double dp = excess / (3 * shear_modulus + isotropic_modulus + kinematic_modulus);
       const PlaneTensor flow = (1.5 * dp / q) * relative;  // increment of plastic strain
       s = s - 2 * shear_modulus * flow;
-      work = contract(s, flow);
+      work = contract(s, flow) -
+             0.5 * (isotropic_modulus + kinematic_modulus) * dp * dp;  // mean stress of the return
       plastic_strain += dp;
       if (back_stress) *back_stress = alpha + (kinematic_modulus / 1.5) * flow;
     } else if (back_stress) {
