@@ -11,10 +11,12 @@
 #include "runner/cli/check.hpp"
 #include "runner/cli/cli.hpp"
 #include "runner/cli/export.hpp"
+#include "runner/cli/figures.hpp"
 #include "runner/cli/plan.hpp"
 #include "runner/cli/query.hpp"
 #include "runner/cli/run.hpp"
 #include "runner/cli/status.hpp"
+#include "runner/finish/finish_study.hpp"
 
 namespace {
 
@@ -25,10 +27,11 @@ void setup_verbs(CLI::App& app) {
   mpmstudy::setup_run(
       app, {[](const mpm::Scene& scene, mpm::Observer& observer) { return mpm::run(scene, observer); },
             mpm::write_vtkhdf,
-            {}});
+            mpmstudy::finish_study});
   mpmstudy::setup_status(app);
   mpmstudy::setup_query(app);
   mpmstudy::setup_export(app);
+  mpmstudy::setup_figures(app);
 }
 
 int run(CLI::App& app, int argc, char** argv) {
