@@ -3,12 +3,10 @@
 namespace mpm {
 namespace {
 
-/// Adds to each of two nodes the image of the other. Axis: 0 for a mirror across x, 1 across y.
-void join(Node& a, Node& b, int axis) {
-  const auto image = [axis](Vec2 v) {
-    v[axis] = -v[axis];
-    return v;
-  };
+Vec2 image(const Vec2& v) { return {-v.x(), v.y()}; }
+
+/// Adds to each of two nodes the image of the other.
+void join(Node& a, Node& b) {
   a.mass += b.mass;
   a.velocity += image(b.velocity);
   a.acceleration += image(b.acceleration);
@@ -18,9 +16,9 @@ void join(Node& a, Node& b, int axis) {
 }
 
 /// A node on the mirror: it and its image are one. Its doubled mass, momentum and force keep their ratios.
-void stop(Node& n, int axis) {
-  n.velocity[axis] = 0;
-  n.acceleration[axis] = 0;
+void stop(Node& n) {
+  n.velocity.x() = 0;
+  n.acceleration.x() = 0;
 }
 
 }  // namespace
@@ -28,20 +26,10 @@ void stop(Node& n, int axis) {
 void reflect_sides(Grid& grid, int top_row) {
   const int right = grid.columns();
   for (int j = -1; j <= top_row; ++j) {
-    stop(grid.at(0, j), 0);
-    join(grid.at(1, j), grid.at(-1, j), 0);
-    stop(grid.at(right, j), 0);
-    join(grid.at(right - 1, j), grid.at(right + 1, j), 0);
-  }
-}
-
-void reflect_impact_wall(Grid& grid, double time_step) {
-  for (int i = -1; i <= grid.columns() + 1; ++i) {
-    Node& wall = grid.at(i, 0);
-    const double momentum = wall.velocity.y() + time_step * wall.acceleration.y();
-    if (!(momentum < 0)) continue;
-    stop(wall, 1);
-    join(grid.at(i, 1), grid.at(i, -1), 1);
+    stop(grid.at(0, j));
+    join(grid.at(1, j), grid.at(-1, j));
+    stop(grid.at(right, j));
+    join(grid.at(right - 1, j), grid.at(right + 1, j));
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Walls as mirrors. What lies behind a mirror is the image of the body: nodes behind it hold the image of
-/// those before it, and shape functions keep partition of unity and linear reproduction up to the wall.
+/// Side walls as mirrors. What lies behind a mirror is the image of the body: nodes behind it hold the image
+/// of those before it, and shape functions keep partition of unity and linear reproduction up to the wall.
 #include "libmpm/core/grid.hpp"
 
 namespace mpm {
@@ -8,10 +8,5 @@ namespace mpm {
 /// Rigid, frictionless, two-sided mirrors at x = origin and x = origin + width: a periodic row of images.
 /// Call after p2g, before forces become accelerations. Normal momentum and force on the wall's nodes vanish.
 void reflect_sides(Grid&, int top_row);
-
-/// Rigid, frictionless impact wall at y = origin, which pushes and does not pull: a mirror in every column
-/// where the body's own motion would take it through the wall by the end of the step, nothing elsewhere. Call
-/// after reflect_sides, which makes the decision of image columns that of their originals.
-void reflect_impact_wall(Grid&, double time_step);
 
 }  // namespace mpm

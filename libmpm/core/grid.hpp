@@ -12,6 +12,7 @@ struct Node {
   double own_mass = 0;               ///< sum, without it [kg/m]
   Vec2 velocity = Vec2::Zero();      ///< momentum [kg/s], then velocity at the end of the step [m/s]
   Vec2 acceleration = Vec2::Zero();  ///< internal force [N/m], then acceleration [m/s^2]
+  double contact_heat = 0;           ///< energy that the contact with the wall takes from the motion [J/kg]
 };
 
 /// Rows of nodes first ... last; empty if last < first.

@@ -4,8 +4,8 @@
 ///
 /// Stages, in order (explicit, symplectic; stress last):
 ///   1. p2g       mass, momentum and internal forces go to the grid
-///   2. walls     what lies behind a wall is the image of what lies before it
-///   3. grid      a = f/m, v <- v + dt a
+///   2. mirrors   what lies behind a side wall is the image of what lies before it
+///   3. grid      a = f/m, v <- v + dt a; the impact wall pushes
 ///   4. g2p       particles accelerate (FLIP), move, receive their work and the heat of the transfer
 ///   5. stress    density, deviator, pressure, viscosity from the new velocity gradient
 ///
@@ -14,6 +14,7 @@
 /// g2p.hpp).
 #include <algorithm>
 
+#include "libmpm/boundary/impact_wall.hpp"
 #include "libmpm/boundary/mirror.hpp"
 #include "libmpm/step/g2p.hpp"
 #include "libmpm/step/grid_update.hpp"
@@ -35,8 +36,9 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt) {
   p2g<Shape>(state.particles, grid);
   for (Node& n : grid.nodes()) n.own_mass = n.mass;
   reflect_sides(grid, top);
-  reflect_impact_wall(grid, dt);
-  report.wall_impulse = update_grid(grid, dt);
+  update_grid(grid, dt);
+  apply_impact_wall(grid, dt);
+  report.wall_impulse = wall_impulse(grid, dt);
   report.transfer_heat = g2p<Shape>(state.particles, grid, dt, state.velocity_gradient);
   update_stress(state, model, dt, report);
 

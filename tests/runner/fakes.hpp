@@ -43,6 +43,8 @@ inline mpm::Scene scene(double cavity_radius) {
   s.cavity_center_height = 2.9e-6;
   s.end_time = 16e-9;
   s.numerics.cell_size = 0.1e-6;
+  s.numerics.particles_per_cell = 1;
+  s.numerics.scheme = mpm::ShapeFunction::gimp;
   s.measures.area_every = 0.05e-9;
   s.measures.snapshots = {1e-9, 2.2e-9};
   return s;

@@ -42,41 +42,67 @@ void NodeGrid<Real>::use(double lowest, double highest) {
 }
 
 template <class Real>
-void NodeGrid<Real>::stop(int i, int j, int axis) {
+void NodeGrid<Real>::stop(int i, int j) {
   Real* n = motion(i, j);
-  n[axis] = n[axis + 2] = 0;
+  n[0] = n[2] = 0;
 }
 
-/// Adds to each of two nodes the image of the other. Axis: 0 for a mirror across x, 1 across y.
+/// Adds to each of two nodes the image of the other.
 template <class Real>
-void NodeGrid<Real>::join(int i, int j, int image_i, int image_j, int axis) {
-  Real* a = motion(i, j);
-  Real* b = motion(image_i, image_j);
+void NodeGrid<Real>::join(int i, int image_i, int j) {
+  Real *a = motion(i, j), *b = motion(image_i, j);
   for (int k = 0; k < 4; ++k) {
-    const Real sign = k % 2 == axis ? -1 : 1;
+    const Real sign = k % 2 == 0 ? -1 : 1;
     a[k] += sign * b[k];
     b[k] = sign * a[k];
   }
-  Real& mass = nodes_.mass[index(i, j)];
-  mass += nodes_.mass[index(image_i, image_j)];
-  nodes_.mass[index(image_i, image_j)] = mass;
+  Real &mass = nodes_.mass[index(i, j)], &image_mass = nodes_.mass[index(image_i, j)];
+  mass += image_mass;
+  image_mass = mass;
 }
 
 template <class Real>
-void NodeGrid<Real>::reflect(double dt) {
+void NodeGrid<Real>::reflect_sides() {
   const int right = nodes_.columns;
   for (int j = first_; j <= last_; ++j) {
-    stop(0, j, 0);
-    join(1, j, -1, j, 0);
-    stop(right, j, 0);
-    join(right - 1, j, right + 1, j, 0);
+    stop(0, j);
+    join(1, -1, j);
+    stop(right, j);
+    join(right - 1, right + 1, j);
   }
+}
+
+template <class Real>
+void NodeGrid<Real>::move_to(int i, int j, Real velocity_x, Real velocity_y) {
+  Real* n = motion(i, j);
+  const Real change_x = velocity_x - n[0], change_y = velocity_y - n[1];
+  n[0] = velocity_x, n[1] = velocity_y;
+  n[2] += change_x, n[3] += change_y;
+  const Real half = 0.5;
+  const Real heat = -(change_x * (n[0] - half * n[2]) + change_y * (n[1] - half * n[3]));
+  nodes_.square[index(i, j)] = n[2] * n[2] + n[3] * n[3] + 2 * heat;
+}
+
+template <class Real>
+void NodeGrid<Real>::push_off_wall() {
   if (first_ > -1) return;
-  for (int i = -1; i <= right + 1; ++i) {
-    const Real* wall = motion(i, 0);
-    if (!(wall[1] + static_cast<Real>(dt) * wall[3] < 0)) continue;
-    stop(i, 0, 1);
-    join(i, 1, i, -1, 1);
+  for (int i = -1; i <= nodes_.columns + 1; ++i) {
+    const Real wall_mass = nodes_.mass[index(i, 0)];
+    if (wall_mass == 0) continue;
+    const Real *below = motion(i, -1), *wall = motion(i, 0), *above = motion(i, 1);
+    const Real below_mass = nodes_.mass[index(i, -1)], above_mass = nodes_.mass[index(i, 1)];
+    // The velocity of the common momentum of the node above and the image of the one below.
+    const Real both = above_mass + below_mass;
+    Real x = above[0], y = above[1];
+    if (below_mass > 0) {
+      x = (above_mass * above[0] + below_mass * below[0]) / both;
+      y = (above_mass * above[1] - below_mass * below[1]) / both;
+    }
+    const Real push = above_mass * (y - above[1]) - wall_mass * wall[1] + below_mass * (-y - below[1]);
+    if (!(push > 0)) continue;
+    move_to(i, 0, wall[0], 0);
+    move_to(i, 1, x, y);
+    move_to(i, -1, x, -y);
   }
 }
 

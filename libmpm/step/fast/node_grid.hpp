@@ -21,8 +21,11 @@ class NodeGrid {
   /// Says which rows the particles between these heights [cells] have reached.
   void use(double lowest, double highest);
 
-  /// Walls as mirrors: see boundary/mirror.hpp. Before momentum and force become motion.
-  void reflect(double dt);
+  /// Side walls as mirrors (boundary/mirror.hpp), before momentum and force become motion.
+  void reflect_sides();
+  /// The impact wall (boundary/impact_wall.hpp), afterwards. The heat of the contact is left in `square`, where
+  /// particles take it up together with that of the transfer.
+  void push_off_wall();
 
   void copy_rows(Grid&, double rho0, int first, int last) const;
   std::size_t memory() const;  ///< [bytes]
@@ -33,8 +36,9 @@ class NodeGrid {
     return static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(nodes_.stride) +
            static_cast<std::size_t>(i + 1);
   }
-  void stop(int i, int j, int axis);
-  void join(int i, int j, int image_i, int image_j, int axis);
+  void stop(int i, int j);
+  void join(int i, int image_i, int j);
+  void move_to(int i, int j, Real velocity_x, Real velocity_y);
 
   AlignedArray<Real> motion_, mass_, square_;
   Nodes<Real> nodes_{};
