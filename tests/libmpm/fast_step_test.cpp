@@ -181,6 +181,8 @@ void expect_same_run(mpm::Scene s, double tolerance) {
   for (std::size_t i = 0; i < a.metrics.size(); ++i) {
     EXPECT_EQ(a.metrics[i].value, again.metrics[i].value) << a.metrics[i].name;
     if (a.metrics[i].name.ends_with("_error")) continue;
+    // columns of a planar impact are all alike: rounding decides which is the hottest
+    if (s.kind == mpm::SceneKind::planar_impact && a.metrics[i].name == "hot_spot_x_m") continue;
     EXPECT_NEAR(a.metrics[i].value / b.metrics[i].value, 1, 1000 * tolerance) << a.metrics[i].name;
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
-/// The stress update of stress_update.cpp for a pack of particles, without branches.
+/// The stress update of stress_update.cpp for a pack of particles, without branches, in three parts. Each is
+/// a loop over a chunk: a pack's chain of operations is some 80 cycles long in each, and the processor finds
+/// room for several packs at once, which it does not when all three are one loop.
 #include "libmpm/step/fast/kernels.hpp"
 #include "libmpm/step/fast/lanes.hpp"
 
@@ -18,43 +20,58 @@ struct Gradient {
   Pack<Real> xx, xy, yx, yy;
 };
 
-template <class Real, bool back_stress_used, bool linear_tension>
-MPM_INLINE void update_stress(Pack<Real>* f, Pack<Real>* back_stress, const Gradient<Real>& l,
-                              const Constants<Real>& k, Real inverse_dt, Extremes<Real>& extremes) {
+/// The motion of a pack over the step, seen from its middle.
+template <class Real>
+struct Strain {
+  Pack<Real> rate_xx, rate_yy, rate_xy;  ///< dt D
+  Pack<Real> cosine, sine;               ///< of the rotation
+  Pack<Real> mu;                         ///< rho / rho0 - 1 at the end
+  Pack<Real> divisor;  ///< 1 / (1 + thermal theta / (2 rho)): what makes the pressure implicit
+};
+
+template <class Real, bool linear_tension>
+MPM_INLINE Strain<Real> strain_of(Pack<Real>* f, const Gradient<Real>& l, const Constants<Real>& k) {
   using P = Pack<Real>;
   const P growth = (l.xx + l.yy) + (l.xx * l.yy - l.xy * l.yx);
   const P dilation = f[Column::dilation] + (1 + f[Column::dilation]) * growth;
   f[Column::dilation] = dilation;
   const P ratio = 1 + dilation;
-  const P specific_volume = k.inverse_rho0 * ratio;
 
   // L (1 + dt L/2)^-1, with respect to positions in the middle of the step, times the determinant
   const P a = 1 + Real(0.5) * l.xx, b = Real(0.5) * l.xy, c = Real(0.5) * l.yx, d = 1 + Real(0.5) * l.yy;
   const P det = a * d - b * c;
   const P xx_det = l.xx * d - l.xy * c, xy_det = l.xy * a - l.xx * b;
   const P yx_det = l.yx * d - l.yy * c, yy_det = l.yy * a - l.yx * b;
-  const P theta_det = xx_det + yy_det;
   // the rotation of the spin w: tan(w/2) = turn / det; see Rotation::of_spin
   const P turn = Real(0.25) * (yx_det - xy_det);
   const P det_square = det * det, turn_square = turn * turn, norm = det_square + turn_square;
   // the pressure is divided by implicit / det
-  const P half = Real(0.5) * specific_volume;
-  P line_thermal = all(k.gamma0 * k.rho0);
-  if constexpr (linear_tension) line_thermal = dilation > 0 ? P{} : line_thermal;
-  const P implicit = det + line_thermal * half * theta_det;
+  const Real thermal = Real(0.5) * k.gamma0;  // gamma0 rho0 / (2 rho) at rho0
+  P implicit = (xx_det + yy_det) * (thermal * ratio);
+  if constexpr (linear_tension) implicit = dilation > 0 ? P{} : implicit;
+  implicit += det;
 
-  // One division for four: they are slow, and these numbers are all near 1.
+  // One division for four: divisions are slow, and these numbers are all near 1.
   const P ratio_det = ratio * det, norm_implicit = norm * implicit;
   const P inverse_all = 1 / (ratio_det * norm_implicit);
   const P inverse_first = inverse_all * norm_implicit, inverse_second = inverse_all * ratio_det;
-  const P inverse_ratio = inverse_first * det, inverse_det = inverse_first * ratio;
-  const P inverse_norm = inverse_second * implicit, inverse_implicit = inverse_second * norm;
+  const P inverse_det = inverse_first * ratio, inverse_norm = inverse_second * implicit;
+  return {xx_det * inverse_det,
+          yy_det * inverse_det,
+          Real(0.5) * (xy_det + yx_det) * inverse_det,
+          (det_square - turn_square) * inverse_norm,
+          (turn + turn) * det * inverse_norm,
+          -dilation * (inverse_first * det),
+          det * (inverse_second * norm)};
+}
 
-  const P mu = -dilation * inverse_ratio;
-  const P rate_xx = xx_det * inverse_det, rate_yy = yy_det * inverse_det;
-  const P rate_xy = Real(0.5) * (xy_det + yx_det) * inverse_det, theta = theta_det * inverse_det;
-  const P cosine = (det_square - turn_square) * inverse_norm, sine = (turn + turn) * det * inverse_norm;
-  const P cc = cosine * cosine, ss = sine * sine, cs = cosine * sine, cs2 = cs + cs, double_cosine = cc - ss;
+/// J2 plasticity: see material/strength/j2.hpp.
+template <class Real, bool back_stress_used>
+MPM_INLINE void update_deviator(Pack<Real>* f, Pack<Real>* back_stress, const Strain<Real>& e,
+                                const Constants<Real>& k) {
+  using P = Pack<Real>;
+  const P cc = e.cosine * e.cosine, ss = e.sine * e.sine, cs = e.cosine * e.sine, cs2 = cs + cs,
+          double_cosine = cc - ss;
   const auto rotate = [&](P& xx, P& yy, P& xy_) {
     const P sum = xx + yy, turned = cc * xx + ss * yy - cs2 * xy_;
     xy_ = cs * (xx - yy) + double_cosine * xy_;
@@ -66,8 +83,9 @@ MPM_INLINE void update_stress(Pack<Real>* f, Pack<Real>* back_stress, const Grad
   P sxx = f[deviator_xx], syy = f[deviator_yy], sxy = f[deviator_xy];
   rotate(sxx, syy, sxy);
   const Real twice = 2 * k.shear_modulus;
-  const P mean = theta * Real(1.0 / 3.0);
-  P rxx = sxx + twice * (rate_xx - mean), ryy = syy + twice * (rate_yy - mean), rxy = sxy + twice * rate_xy;
+  const P mean = (e.rate_xx + e.rate_yy) * Real(1.0 / 3.0);
+  P rxx = sxx + twice * (e.rate_xx - mean), ryy = syy + twice * (e.rate_yy - mean),
+    rxy = sxy + twice * e.rate_xy;
   P axx{}, ayy{}, axy{};
   if constexpr (back_stress_used) {
     axx = back_stress[0], ayy = back_stress[1], axy = back_stress[2];
@@ -97,9 +115,17 @@ MPM_INLINE void update_stress(Pack<Real>* f, Pack<Real>* back_stress, const Grad
   }
   f[deviator_xx] = sxx, f[deviator_yy] = syy, f[deviator_xy] = sxy;
   f[plastic_strain] += dp;
-  f[plastic_work] += work * specific_volume;
+  f[plastic_work] += work * (k.inverse_rho0 * (1 + f[Column::dilation]));
+}
 
+/// Pressure, artificial viscosity and the fastest signal: see material/.
+template <class Real, bool linear_tension>
+MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Constants<Real>& k,
+                                Real inverse_dt, Extremes<Real>& extremes) {
+  using P = Pack<Real>;
   // sound speed with the pressure of the last step, artificial viscosity
+  const P dilation = f[Column::dilation], ratio = 1 + dilation, specific_volume = k.inverse_rho0 * ratio;
+  const P mu = e.mu, theta = e.rate_xx + e.rate_yy;
   const P old_pressure = f[Column::pressure];
   const P cold = mu * (k.cold_c + mu * (k.cold_d + mu * k.cold_s));
   const P cold_slope = k.cold_c + mu * (2 * k.cold_d + 3 * mu * k.cold_s);
@@ -107,9 +133,10 @@ MPM_INLINE void update_stress(Pack<Real>* f, Pack<Real>* back_stress, const Grad
   P bulk_square =
       (cold_slope * away + k.gamma0 * ratio_square * (old_pressure - Real(0.5) * cold)) * k.inverse_rho0;
   bulk_square = larger(bulk_square, all(k.least_sound_square));
-  P line_cold = cold * away;
+  P line_cold = cold * away, line_thermal = all(k.gamma0 * k.rho0);
   if constexpr (linear_tension) {
     line_cold = mu < 0 ? k.cold_c * mu : line_cold;
+    line_thermal = mu < 0 ? P{} : line_thermal;
     bulk_square = mu < 0 ? all(k.cold_c * k.inverse_rho0) : bulk_square;
   }
   const P bulk_sound = square_root(bulk_square);
@@ -119,9 +146,11 @@ MPM_INLINE void update_stress(Pack<Real>* f, Pack<Real>* back_stress, const Grad
   const P q = -(density * closing) * viscous;
 
   // pressure at the end of the step, implicit in the energy
-  const P power = (sxx * rate_xx + syy * rate_yy + 2 * (sxy * rate_xy)) - q * theta;
-  const P energy_end = f[energy] + half * power;
-  P held = (line_cold + line_thermal * energy_end) * (det * inverse_implicit);
+  const P power =
+      (f[deviator_xx] * e.rate_xx + f[deviator_yy] * e.rate_yy + 2 * (f[deviator_xy] * e.rate_xy)) -
+      q * theta;
+  const P energy_end = f[energy] + Real(0.5) * specific_volume * power;
+  P held = (line_cold + line_thermal * energy_end) * e.divisor;
   held = larger(held, all(k.pressure_floor));
   f[Column::pressure] = held;
   f[viscous_pressure] = q;

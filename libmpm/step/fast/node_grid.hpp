@@ -23,8 +23,8 @@ class NodeGrid {
 
   /// Side walls as mirrors (boundary/mirror.hpp), before momentum and force become motion.
   void reflect_sides();
-  /// The impact wall (boundary/impact_wall.hpp), afterwards. The heat of the contact is left in `square`, where
-  /// particles take it up together with that of the transfer.
+  /// The impact wall (boundary/impact_wall.hpp), afterwards. The heat of the contact is left in `square`,
+  /// where particles take it up together with that of the transfer.
   void push_off_wall();
 
   void copy_rows(Grid&, double rho0, int first, int last) const;

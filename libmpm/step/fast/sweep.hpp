@@ -28,6 +28,8 @@ struct Sweep {
     Seen<Real> seen[chunk_blocks * width];
     Given<Real> given[chunk_blocks * width];
     P mass_y[chunk_blocks][3];
+    Gradient<Real> gradient[chunk_blocks];
+    Strain<Real> strain[chunk_blocks];
   };
 
   static MPM_INLINE Bounds<Real> bounds(const Nodes<Real>& n) {
@@ -57,10 +59,10 @@ struct Sweep {
     for (int j = 0; j < 3; ++j) mass_y[j] = mass * w.y[j];
   }
 
-  /// Motion, energy and stress of a block from what it sees.
-  static MPM_INLINE void update(P* f, const Seen<Real>* seen, const PackWeights<Real>& w,
-                                const Constants<Real>& k, Real dt, Real inverse_dt, Extremes<Real>& extremes,
-                                P* sums) {
+  /// Motion and energy of a block from what it sees; the gradient of its displacement.
+  static MPM_INLINE Gradient<Real> advance(P* f, const Seen<Real>* seen, const PackWeights<Real>& w,
+                                           const Constants<Real>& k, Real dt, Extremes<Real>& extremes,
+                                           P* sums) {
     const auto* rows = reinterpret_cast<const Quad<Real>*>(seen);
     P vx, vy, dvx, dvy, vx_x, vy_x, dvx_x, dvy_x, vx_y, vy_y, dvx_y, dvy_y, s0, s1, s2, foreign;
     transpose_in(rows, 4, vx, vy, dvx, dvy);
@@ -95,7 +97,7 @@ struct Sweep {
       f[half_size] *= 1 + l.xx;
       f[half_size + 1] *= 1 + l.yy;
     }
-    update_stress<Real, back_stress_used, linear_tension>(f, f + back_stress, l, k, inverse_dt, extremes);
+    return l;
   }
 
   static MPM_INLINE void scatter_chunk(const Chunk& chunk, int blocks, Nodes<Real> to) {
@@ -150,12 +152,20 @@ struct Sweep {
           chunk.seen[b * width + lane] = gather(from, chunk.weights[b], lane);
       }
       P sums[3] = {};
-      for (int b = 0; b < count; ++b) {
-        P* block = f + b * columns;
-        update(block, chunk.seen + b * width, chunk.weights[b], k, dt, inverse_dt, extremes, sums);
-        extremes.broken |= weigh_block(block, inside_next, to.stride, chunk.weights[b]);
-        give(block, k, chunk.weights[b], chunk.given + b * width, chunk.mass_y[b]);
-      }
+      for (int b = 0; b < count; ++b)
+        chunk.gradient[b] =
+            advance(f + b * columns, chunk.seen + b * width, chunk.weights[b], k, dt, extremes, sums);
+      for (int b = 0; b < count; ++b)
+        chunk.strain[b] = strain_of<Real, linear_tension>(f + b * columns, chunk.gradient[b], k);
+      for (int b = 0; b < count; ++b)
+        update_deviator<Real, back_stress_used>(f + b * columns, f + b * columns + back_stress,
+                                                chunk.strain[b], k);
+      for (int b = 0; b < count; ++b)
+        update_pressure<Real, linear_tension>(f + b * columns, chunk.strain[b], k, inverse_dt, extremes);
+      for (int b = 0; b < count; ++b)
+        extremes.broken |= weigh_block(f + b * columns, inside_next, to.stride, chunk.weights[b]);
+      for (int b = 0; b < count; ++b)
+        give(f + b * columns, k, chunk.weights[b], chunk.given + b * width, chunk.mass_y[b]);
       for (int n = 0; n < 3; ++n)
         for (int lane = 0; lane < width; ++lane) totals[n] += static_cast<double>(sums[n][lane]);
       scatter_chunk(chunk, count, to);
