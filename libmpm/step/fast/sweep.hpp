@@ -80,7 +80,7 @@ struct Sweep {
     const P power = (f[deviator_xx] - mean) * middle_xx + (f[deviator_yy] - mean) * middle_yy +
                     f[deviator_xy] * middle_xy;
     const P work = (k.inverse_rho0 * (1 + f[Column::dilation])) * power;
-    const P square = w.x[0] * s0 + w.x[1] * s1 + w.x[2] * s2;
+    const P square = s1 + (w.x[0] * (s0 - s1) + w.x[2] * (s2 - s1));
     const P heat = half * (square - (dvx * dvx + dvy * dvy));
     f[energy] += work + heat;
     sums[0] += f[initial_volume] * heat;

@@ -7,7 +7,7 @@ namespace mpm::fast::MPM_ISA {
 /// Weights and slopes of a pack on the three nodes an axis of each of its particles.
 template <class Real>
 struct PackWeights {
-  Pack<Real> x[3], slope_x[3], y[3], slope_y[3];
+  Pack<Real> x[3], slope_x[3], y[3], slope_y[3];  // the middle slope is not used
   std::int32_t first[Lanes<Real>::width];  ///< index of the lower left node
 };
 
