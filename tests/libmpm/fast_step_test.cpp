@@ -121,7 +121,7 @@ TEST(FastStep, BitsDoNotDependOnTheInstructionSet) {
     const Variant v = variant_of(scene);
     FastStepper narrow(m, v, mpm::fast::kernels_for(v, InstructionSet::baseline));
     FastStepper wide(m, v, mpm::fast::kernels_for(v, InstructionSet::avx2));
-    for (int k = 0; k < 60; ++k) {  // enough for a sort
+    for (int k = 0; k < 120; ++k) {  // enough for a sort
       const mpm::StepReport x = narrow.step(a, 1e-12), y = wide.step(b, 1e-12);
       ASSERT_EQ(x.largest_signal, y.largest_signal);
       ASSERT_EQ(x.transfer_heat, y.transfer_heat);
@@ -138,7 +138,7 @@ TEST(FastStep, HandsOutWhatTheReferenceHolds) {
   const mpm::Scene scene = scenes::cavity(0.2e-6);
   mpm::State a = mpm::build_state(scene), b = mpm::build_state(scene);
   FastStepper fast(mpm::build_material(scene), variant_of(scene));
-  for (int k = 0; k < 120; ++k) fast.step(a, 5e-12), reference(b, scene, 5e-12);
+  for (int k = 0; k < 150; ++k) fast.step(a, 4e-12), reference(b, scene, 4e-12);
   const std::size_t which[] = {0, 7, a.particles.size() - 1};
   fast.refresh_particles(a, which);
   for (const std::size_t p : which)

@@ -104,27 +104,37 @@ void Blocks<Real>::sort(int stride) {
   permute(order_);
 }
 
-/// Slot s receives what was in slot order[s].
+/// Slot s receives what was in slot order[s]. In place: particles move little between two sorts, so it is
+/// enough to remember the last few slots that were overwritten.
 template <class Real>
 void Blocks<Real>::permute(std::span<const std::uint32_t> order) {
-  constexpr int together = 4;
-  if (moved_.size() == 0) moved_ = AlignedArray<Real>(together * ids_.size());
-  for (int first = 0; first < columns_; first += together) {
-    const int count = std::min(together, columns_ - first);
-    for (std::size_t s = 0; s < order.size(); ++s)
-      for (int c = 0; c < count; ++c) moved_[s * together + c] = at(order[s], first + c);
-    for (std::size_t s = 0; s < order.size(); ++s)
-      for (int c = 0; c < count; ++c) at(s, first + c) = moved_[s * together + c];
+  std::size_t remembered = 1;
+  for (std::size_t s = 0; s < order.size(); ++s)
+    if (order[s] < s) remembered = std::max(remembered, s - order[s] + 1);
+  const auto columns = static_cast<std::size_t>(columns_);
+  std::vector<Real> old(remembered * columns);
+  std::vector<std::uint32_t> old_ids(remembered);
+  for (std::size_t s = 0, next = 0; s < order.size(); ++s, next = next + 1 == remembered ? 0 : next + 1) {
+    Real* now = &at(s, 0);
+    for (std::size_t c = 0; c < columns; ++c) old[next * columns + c] = now[c * width];
+    old_ids[next] = ids_[s];
+    const std::size_t from = order[s];
+    if (from > s) {
+      const Real* source = &at(from, 0);
+      for (std::size_t c = 0; c < columns; ++c) now[c * width] = source[c * width];
+      ids_[s] = ids_[from];
+    } else {
+      const std::size_t place = next >= s - from ? next - (s - from) : next + remembered - (s - from);
+      for (std::size_t c = 0; c < columns; ++c) now[c * width] = old[place * columns + c];
+      ids_[s] = old_ids[place];
+    }
   }
-  std::vector<std::uint32_t> ids(ids_.size());
-  for (std::size_t s = 0; s < order.size(); ++s) ids[s] = ids_[order[s]];
-  ids_ = std::move(ids);
   slots_.clear();
 }
 
 template <class Real>
 std::size_t Blocks<Real>::memory() const {
-  return (values_.size() + moved_.size()) * sizeof(Real) +
+  return values_.size() * sizeof(Real) +
          (ids_.size() + slots_.capacity() + order_.size()) * sizeof(std::uint32_t);
 }
 

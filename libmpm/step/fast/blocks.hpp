@@ -49,7 +49,6 @@ class Blocks {
   std::vector<std::uint32_t> ids_;    ///< original place of each slot; >= particles_: no particle
   std::vector<std::uint32_t> slots_;  ///< the inverse; empty until somebody asks for single particles
   std::vector<std::uint32_t> order_;
-  AlignedArray<Real> moved_;  ///< four columns on their way to their new slots
 };
 
 }  // namespace mpm::fast

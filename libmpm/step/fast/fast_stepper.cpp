@@ -10,7 +10,7 @@ namespace {
 
 /// A particle moves a few hundredths of a cell in a step, and most of that together with its neighbours.
 /// Measured: PERFORMANCE.md.
-constexpr int steps_between_sorts = 50;
+constexpr int steps_between_sorts = 100;
 
 Constants<double> constants_of(const MaterialModel& m, const Grid& grid) {
   const MieGrueneisen& eos = m.eos;

@@ -1,8 +1,10 @@
 #pragma once
-/// Grid to particle and particle to grid, one particle at a time, with the four components of a node as lanes.
-/// Sums are those of p2g.hpp and g2p.hpp, axis by axis: weights are products of one-dimensional functions. Of
-/// three weights an axis the middle one is 1 minus the others, of three slopes it is minus the others:
-///   sum w_i N_i = N_1 + w_0 (N_0 - N_1) + w_2 (N_2 - N_1),   sum w'_i N_i = w'_0 (N_0 - N_1) + w'_2 (N_2 - N_1)
+/// Grid to particle and particle to grid, one particle at a time, with the four components of a node as
+/// lanes. Sums are those of p2g.hpp and g2p.hpp, axis by axis: weights are products of one-dimensional
+/// functions. Of three weights an axis the middle one is 1 minus the others, of three slopes it is minus the
+/// others:
+///   sum w_i N_i = N_1 + w_0 (N_0 - N_1) + w_2 (N_2 - N_1),   sum w'_i N_i = w'_0 (N_0 - N_1) + w'_2 (N_2 -
+///   N_1)
 /// which saves a third of the multiplications and of the weights that have to be fetched.
 #include "libmpm/step/fast/kernels.hpp"
 #include "libmpm/step/fast/lanes.hpp"
@@ -86,7 +88,8 @@ MPM_INLINE void scatter(Nodes<Real> nodes, const PackWeights<Real>& w, int lane,
     store_quad<Real>(masses, load_quad(masses) + of_lane<Real>(mass_y[j], lane) * given.weight_x);
   };
   const auto by_row = [&](int j) __attribute__((always_inline)) {
-    return __builtin_shufflevector(of_lane<Real>(w.y[j], lane), of_lane<Real>(w.slope_y[j], lane), 0, 1, 6, 7) *
+    return __builtin_shufflevector(of_lane<Real>(w.y[j], lane), of_lane<Real>(w.slope_y[j], lane), 0, 1, 6,
+                                   7) *
            given.by_weight;
   };
   const Q p0 = by_row(0), q0 = of_lane<Real>(w.y[0], lane) * given.by_slope_x;

@@ -8,7 +8,7 @@ namespace mpm::fast::MPM_ISA {
 template <class Real>
 struct PackWeights {
   Pack<Real> x[3], slope_x[3], y[3], slope_y[3];  // the middle slope is not used
-  std::int32_t first[Lanes<Real>::width];  ///< index of the lower left node
+  std::int32_t first[Lanes<Real>::width];         ///< index of the lower left node
 };
 
 template <class Real>
