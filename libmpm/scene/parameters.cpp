@@ -58,7 +58,7 @@ const Quantity quantity_table[] = {
      M, non_negative, optional, "", every, FIELD(material.hugoniot_slope)},
     {"gruneisen_gamma", "1", "gruneisen_gamma", "Grueneisen coefficient at rest",
      M, non_negative, optional, "", every, FIELD(material.gruneisen_gamma)},
-    {"pressure_limit", "Pa", "pressure_limit_Pa", "pressure up to which the equation of state is valid; a run that passes it fails",
+    {"pressure_limit", "Pa", "pressure_limit_Pa", "pressure up to which the equation of state is valid",
      M, positive, optional, "", every, FIELD(material.pressure_limit)},
     {"specific_heat", "J/kg/K", "specific_heat_J_kg_K", "specific heat at constant volume",
      M, positive, optional, "", every, FIELD(material.specific_heat)},

@@ -21,8 +21,8 @@ struct MaterialModel {
 struct StepReport {
   double largest_signal = 0;  ///< fastest signal against the grid, sound + viscosity + motion [m/s]
   double smallest_dilation = 0, largest_dilation = 0;  ///< J - 1 [1]
-  double largest_pressure = 0;                         ///< [Pa]
-  double transfer_heat = 0;  ///< kinetic energy that the transfer took and left as heat in this step [J/m]
+  double overpressed_mass = 0;  ///< of particles beyond the range of the equation of state [kg/m]
+  double transfer_heat = 0;     ///< kinetic energy that the transfer took and left as heat in this step [J/m]
   Vec2 wall_impulse = Vec2::Zero();  ///< that all walls gave in this step [kg/s]
   double highest = 0;                ///< largest y of a particle [m]
 };

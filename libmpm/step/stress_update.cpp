@@ -21,7 +21,7 @@ Mat2 at_middle(const Mat2& l, double dt) {
 
 void update_stress(State& state, const MaterialModel& model, double dt, StepReport& report) {
   Particles& ps = state.particles;
-  double lowest = 0, highest = 0, fastest = 0, hardest = 0;
+  double lowest = 0, highest = 0, fastest = 0, overpressed = 0;
   for (std::size_t p = 0; p < ps.size(); ++p) {
     const Mat2& l = state.velocity_gradient[p];
     // det(1 + dt L) - 1 without the 1, so that small dilations keep their digits
@@ -54,12 +54,12 @@ void update_stress(State& state, const MaterialModel& model, double dt, StepRepo
     const double viscous = model.viscosity.speed(theta, bulk_sound);
     const double speed = ps.velocity[p].cwiseAbs().maxCoeff();
     fastest = std::max(fastest, speed + viscous + std::sqrt(viscous * viscous + longitudinal));
-    hardest = std::max(hardest, ps.pressure[p]);
+    if (ps.pressure[p] > model.eos.pressure_limit) overpressed += ps.mass[p];
     lowest = std::min(lowest, volume.dilation);
     highest = std::max(highest, volume.dilation);
   }
   report.largest_signal = fastest;
-  report.largest_pressure = hardest;
+  report.overpressed_mass = overpressed;
   report.smallest_dilation = lowest;
   report.largest_dilation = highest;
 }

@@ -18,6 +18,7 @@ struct MieGrueneisen {
   double gamma0;        ///< [1]
   Tension tension;
   double spall_strength;  ///< [Pa], positive
+  double pressure_limit;  ///< upper end of its validity [Pa]
 
   explicit MieGrueneisen(const Material& m)
       : rho0(m.reference_density),
@@ -27,7 +28,8 @@ struct MieGrueneisen {
         s(c * (m.hugoniot_slope - 1) * (3 * m.hugoniot_slope - 1)),
         gamma0(m.gruneisen_gamma),
         tension(m.tension),
-        spall_strength(m.spall_strength) {}
+        spall_strength(m.spall_strength),
+        pressure_limit(m.pressure_limit) {}
 
   /// A state of volume: dilation J - 1 = rho0/rho - 1 and compression mu = rho/rho0 - 1.
   struct Volume {
