@@ -130,9 +130,11 @@ Estimate estimate(const Scene& s) {
   const Material& m = s.material;
   const double sound =
       std::sqrt(m.bulk_sound_speed * m.bulk_sound_speed + 4 * m.shear_modulus() / (3 * m.reference_density));
-  // Behind the shock sound is faster by about 2 lambda u; viscosity and the motion of the body take their
-  // share too.
-  const double signal = sound + (2 * m.hugoniot_slope + 1) * s.impact_speed;
+  // Behind the shock sound is faster by about 2 lambda u, and the body moves. Some material is always being
+  // compressed, so that the viscous signal Q + sqrt(Q^2 + c^2), Q = q1 c, decides the step.
+  const double q = s.numerics.linear_viscosity;
+  const double signal =
+      (q + std::sqrt(q * q + 1)) * (sound + 2 * m.hugoniot_slope * s.impact_speed) + s.impact_speed;
   const double step = s.numerics.cfl * std::min(lattice.cell.x(), lattice.cell.y()) / signal;
   return {static_cast<std::int64_t>(area * per_cell), static_cast<std::int64_t>(s.end_time / step)};
 }

@@ -69,7 +69,7 @@ TEST(Build, EstimateIsCloseToTheRun) {
   const mpm::Estimate e = mpm::estimate(s);
   const mpm::RunResult r = mpm::run(s);
   EXPECT_NEAR(static_cast<double>(e.particles) / r.particles, 1, 0.05);
-  EXPECT_NEAR(static_cast<double>(e.steps) / r.steps, 1, 0.5);
+  EXPECT_NEAR(static_cast<double>(e.steps) / r.steps, 1, 0.25);
 }
 
 /// Counts what an observer is told, and stops when asked to.
