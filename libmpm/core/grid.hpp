@@ -15,6 +15,11 @@ struct Node {
   double contact_heat = 0;           ///< energy that the contact with the wall takes from the motion [J/kg]
 };
 
+/// Rows of nodes first ... last; empty if last < first.
+struct RowRange {
+  int first = 0, last = -1;
+};
+
 /// Uniform grid of nodes x = origin + (i hx, j hy), with one layer of ghost nodes below and on both sides
 /// (behind the mirrors) and as many rows upwards as the particles ask for. Rows are contiguous.
 class Grid {

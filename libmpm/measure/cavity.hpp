@@ -16,6 +16,7 @@ class Cavity : public Measurement {
  public:
   Cavity(const Scene&, const State&, Observer&);
   void after_step(const State&, const StepReport&, double dt) override;
+  RowRange rows_read(const Grid& grid) const override { return contour_.rows(grid); }
   void sample(const State&) override;
   void finish(const State&, RunResult&) override;
 

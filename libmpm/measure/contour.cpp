@@ -61,6 +61,15 @@ void Contour::advance(const Grid& grid, double dt) {
   }
 }
 
+RowRange Contour::rows(const Grid& grid) const {
+  const auto [low, high] = std::minmax_element(markers_.begin(), markers_.end(),
+                                               [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  const auto row = [&](const Vec2& x) {
+    return nearest_node((x.y() - grid.origin().y()) * grid.inverse_cell().y());
+  };
+  return {row(*low) - 1, row(*high) + 1};
+}
+
 std::vector<Vec2> Contour::closed() const {
   std::vector<Vec2> all = markers_;
   if (half_)

@@ -16,6 +16,8 @@ class Contour {
   /// x += dt v, with v = sum w v_i / sum w over the nodes that carry mass (quadratic B-spline weights).
   /// Normalised, since a marker stands at the edge of the material, where some nodes are empty.
   void advance(const Grid&, double dt);
+  /// Rows of nodes that advance reads.
+  RowRange rows(const Grid&) const;
 
   double area() const;    ///< of the whole cavity [m^2], positive while the curve keeps its sense
   double width() const;   ///< [m]

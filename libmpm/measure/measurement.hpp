@@ -1,4 +1,7 @@
 #pragma once
+#include <cstddef>
+#include <span>
+
 #include "libmpm/simulation.hpp"
 #include "libmpm/step/state.hpp"
 
@@ -9,8 +12,13 @@ namespace mpm {
 class Measurement {
  public:
   virtual ~Measurement() = default;
-  /// `state.grid` still holds the nodal motion of the step.
+  /// Of the state, only the time, the watched particles and the rows that are read are up to date; state.grid
+  /// holds the nodal motion of the step.
   virtual void after_step(const State&, const StepReport&, double /*dt*/) {}
+  /// Particles that after_step reads.
+  virtual std::span<const std::size_t> watched() const { return {}; }
+  /// Rows of nodes that after_step reads.
+  virtual RowRange rows_read(const Grid&) const { return {}; }
   virtual void sample(const State&) {}
   virtual void finish(const State&, RunResult&) = 0;
 };

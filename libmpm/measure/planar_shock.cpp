@@ -41,6 +41,8 @@ PlanarShock::PlanarShock(const Scene& s, const State& state)
     gauges_.push_back(all[k]);
     gauge_height_.push_back(x[all[k]].y());
   }
+  watched_ = gauges_;
+  watched_.push_back(top_);
 }
 
 void PlanarShock::after_step(const State& s, const StepReport&, double) {

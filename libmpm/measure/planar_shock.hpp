@@ -20,6 +20,7 @@ class PlanarShock : public Measurement {
  public:
   PlanarShock(const Scene&, const State&);
   void after_step(const State&, const StepReport&, double dt) override;
+  std::span<const std::size_t> watched() const override { return watched_; }
   void finish(const State&, RunResult&) override;
 
  private:
@@ -36,6 +37,7 @@ class PlanarShock : public Measurement {
   std::vector<std::size_t> gauges_;   ///< particles, upwards
   std::vector<double> gauge_height_;  ///< initial [m]
   std::size_t top_;                   ///< particle at the free surface
+  std::vector<std::size_t> watched_;  ///< gauges and top
   std::vector<double> times_;
   std::vector<double> top_speed_;  ///< of the free surface against the moving body [m/s]
   std::vector<Reading> readings_;  ///< step by step, gauge by gauge

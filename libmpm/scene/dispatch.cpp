@@ -5,20 +5,45 @@
 #include "libmpm/measure/cavity.hpp"
 #include "libmpm/measure/hot_spots.hpp"
 #include "libmpm/measure/planar_shock.hpp"
+#include "libmpm/scene/build.hpp"
 #include "libmpm/shape/bspline2.hpp"
 #include "libmpm/shape/gimp.hpp"
-#include "libmpm/step/step.hpp"
+#include "libmpm/step/fast/fast_stepper.hpp"
+#include "libmpm/step/reference_stepper.hpp"
 
 namespace mpm {
 
-StepFunction step_for(const Numerics& n) {
-  switch (n.scheme) {
+namespace {
+
+std::unique_ptr<Stepper> reference_stepper(const Scene& s) {
+  switch (s.numerics.scheme) {
     case ShapeFunction::gimp:
-      return reference_step<Gimp>;
+      return std::make_unique<ReferenceStepper<Gimp>>(build_material(s));
     case ShapeFunction::bspline2:
-      return reference_step<BSpline2>;
+      return std::make_unique<ReferenceStepper<BSpline2>>(build_material(s));
   }
   throw std::logic_error("a scheme that is not compiled");
+}
+
+/// The fast step knows every scheme and every material; a new one that it lacks must be refused by
+/// find_problems().
+std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
+  const fast::Variant variant{.gimp = s.numerics.scheme == ShapeFunction::gimp,
+                              .back_stress = s.material.kinematic_fraction > 0,
+                              .linear_tension = s.material.tension == Tension::linear};
+  return std::make_unique<fast::FastStepper>(build_material(s), variant);
+}
+
+}  // namespace
+
+std::unique_ptr<Stepper> stepper_for(const Scene& s) {
+  switch (s.numerics.kernel) {
+    case Kernel::fast:
+      return fast_stepper(s);
+    case Kernel::reference:
+      return reference_stepper(s);
+  }
+  throw std::logic_error("a kernel that is not compiled");
 }
 
 std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene& s, const State& state,

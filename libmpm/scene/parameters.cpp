@@ -90,6 +90,7 @@ constexpr std::string_view tension_names[] = {"polynomial", "linear", "cutoff"};
 constexpr std::string_view hardening_names[] = {"norm", "equivalent", "tangent"};
 constexpr std::string_view scheme_names[] = {"gimp", "bspline2"};
 constexpr std::string_view symmetry_names[] = {"half", "full"};
+constexpr std::string_view kernel_names[] = {"fast", "reference"};
 constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact"};
 
 #define CHOICE(member)                                           \
@@ -104,6 +105,8 @@ const Choice choice_table[] = {
     {"scheme", "scheme", "shape functions", N, scheme_names, every, CHOICE(numerics.scheme)},
     {"symmetry", "symmetry", "model half of the scene or all of it", N, symmetry_names, every,
      CHOICE(numerics.symmetry)},
+    {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against", N,
+     kernel_names, every, CHOICE(numerics.kernel)},
 };
 #undef CHOICE
 

@@ -80,7 +80,7 @@ RunResult run(const Scene& scene, Observer& observer) {
   check(scene);
   State state = build_state(scene);
   const MaterialModel material = build_material(scene);
-  const StepFunction step = step_for(scene.numerics);
+  const auto stepper = stepper_for(scene);
   const Temperature temperature{material.eos, scene.material.specific_heat,
                                 scene.material.initial_temperature};
   Balance balance(state);
@@ -92,11 +92,14 @@ RunResult run(const Scene& scene, Observer& observer) {
   RunResult result;
   result.particles = static_cast<std::int64_t>(state.particles.size());
   const auto observe = [&] {
-    if (schedule.sample_due(state.time) || state.time >= scene.end_time) {
+    const bool sample = schedule.sample_due(state.time) || state.time >= scene.end_time;
+    const bool snapshot = schedule.snapshot_due(state.time);
+    if (sample || snapshot) stepper->refresh_particles(state);
+    if (sample) {
       balance.sample(state);
       for (const auto& m : measurements) m->sample(state);
     }
-    if (schedule.snapshot_due(state.time)) observer.on_snapshot(snapshot_of(state, temperature));
+    if (snapshot) observer.on_snapshot(snapshot_of(state, temperature));
   };
   observe();
 
@@ -111,11 +114,16 @@ RunResult run(const Scene& scene, Observer& observer) {
     const double due = schedule.next();
     const double steps = std::ceil((due - state.time) / limit);
     const double dt = (due - state.time) / std::max(steps, 1.0);
-    const StepReport report = step(state, material, dt);
+    const StepReport report = stepper->step(state, dt);
     if (steps <= 1) state.time = due;
     signal = report.largest_signal;
     balance.after_step(state, report, dt);
-    for (const auto& m : measurements) m->after_step(state, report, dt);
+    for (const auto& m : measurements) {
+      stepper->refresh_particles(state, m->watched());
+      const RowRange rows = m->rows_read(state.grid);
+      stepper->refresh_nodes(state, rows.first, rows.last);
+      m->after_step(state, report, dt);
+    }
     result.steps = state.step;
 
     result.reason = breakdown(state, report, limits, balance.energy_error());

@@ -22,12 +22,19 @@ enum class Symmetry {
   full,  ///< -W/2 <= x <= W/2
 };
 
+/// Which code takes the steps. Results agree to rounding.
+enum class Kernel {
+  fast,       ///< step/fast/
+  reference,  ///< step/step.hpp: plain, slow, the oracle
+};
+
 /// How a scene is computed. Make one with default_numerics(), which knows what suits a kind of scene.
 struct Numerics {
   double cell_size = 0;        ///< h [m]
   int particles_per_cell = 0;  ///< 1, 4, 9 or 16, on a square lattice
   ShapeFunction scheme = ShapeFunction::bspline2;
   Symmetry symmetry = Symmetry::half;
+  Kernel kernel = Kernel::fast;
   double cfl = 0;                  ///< share of h / (signal speed) that a step takes [1]
   double linear_viscosity = 0;     ///< q1 [1]; see material/artificial_viscosity.hpp
   double quadratic_viscosity = 0;  ///< q2 [1]

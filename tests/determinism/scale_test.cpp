@@ -42,6 +42,7 @@ TEST(Scale, WeakCollapse) { expect_scaled_bits(scenes::cavity(0.2e-6), 1024); }
 TEST(Scale, StrongCollapse) {
   mpm::Scene s = scenes::cavity(0.2e-6);
   s.impact_speed = 1120;
+  s.end_time = 0.5e-9;  // before the jet, whose pressure is beyond the equation of state
   expect_scaled_bits(s, 1024);
 }
 

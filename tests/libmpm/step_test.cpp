@@ -1,13 +1,12 @@
 // One step of random states, and what a step must keep: mass, momentum, energy.
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/shape/bspline2.hpp"
 #include "libmpm/shape/gimp.hpp"
 #include "libmpm/step/step.hpp"
+#include "tests/libmpm/random_state.hpp"
 #include "tests/libmpm/scenes.hpp"
 
 namespace {
@@ -16,21 +15,6 @@ template <class Shape>
 class StepTest : public testing::Test {};
 using Shapes = testing::Types<mpm::Gimp, mpm::BSpline2>;
 TYPED_TEST_SUITE(StepTest, Shapes);
-
-/// A block with random velocities (a fifth of the sound speed) and random stresses, `lift` above the wall.
-mpm::State random_state(const mpm::Scene& scene, double lift) {
-  mpm::State s = mpm::build_state(scene);
-  std::mt19937 generator(7);
-  const auto random = [&] { return generator() / 2147483648.0 - 1; };
-  for (std::size_t p = 0; p < s.particles.size(); ++p) {
-    s.particles.position[p].y() += lift;
-    s.particles.velocity[p] = 1000 * mpm::Vec2(random(), random());
-    s.particles.pressure[p] = 5e9 * random();
-    s.particles.deviator[p] = mpm::deviator({1e8 * random(), 1e8 * random(), 1e8 * random(), 1e8 * random()});
-    s.particles.energy[p] = 1e5 * random();
-  }
-  return s;
-}
 
 TYPED_TEST(StepTest, P2gKeepsMassAndMomentumAndItsForcesAddUpToZero) {
   mpm::State s = random_state(scenes::cavity(0.2e-6), 1e-6);

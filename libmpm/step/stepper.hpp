@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "libmpm/step/state.hpp"
+
+namespace mpm {
+
+/// Advances a State. A stepper may keep the particles and the nodes in a form of its own; then what the State
+/// holds is as old as the last refresh.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  virtual StepReport step(State&, double dt) = 0;
+
+  /// Brings all of state.particles up to date, in the order in which they were built.
+  virtual void refresh_particles(State&) {}
+  /// Brings some of them up to date. Cheap when it is the same few again and again.
+  virtual void refresh_particles(State&, std::span<const std::size_t> /*which*/) {}
+  /// Brings mass and velocity of the nodes of rows [first, last] up to date: the motion of the last step.
+  /// Rows that the grid does not have are left out.
+  virtual void refresh_nodes(State&, int /*first_row*/, int /*last_row*/) {}
+  /// Memory that the stepper keeps beside the State [bytes].
+  virtual std::size_t memory() const { return 0; }
+};
+
+}  // namespace mpm
