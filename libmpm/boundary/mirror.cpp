@@ -35,11 +35,11 @@ void reflect_sides(Grid& grid, int top_row) {
   }
 }
 
-void reflect_impact_wall(Grid& grid, double time_step) {
+void reflect_floor(Grid& grid, Floor floor, double time_step) {
   for (int i = -1; i <= grid.columns() + 1; ++i) {
     Node& wall = grid.at(i, 0);
     const double momentum = wall.velocity.y() + time_step * wall.acceleration.y();
-    if (!(momentum < 0)) continue;
+    if (floor == Floor::impact_wall && !(momentum < 0)) continue;
     stop(wall, 1);
     join(grid.at(i, 1), grid.at(i, -1), 1);
   }

@@ -9,9 +9,15 @@ namespace mpm {
 /// Call after p2g, before forces become accelerations. Normal momentum and force on the wall's nodes vanish.
 void reflect_sides(Grid&, int top_row);
 
-/// Rigid, frictionless impact wall at y = origin, which pushes and does not pull: a mirror in every column
-/// where the body's own motion would take it through the wall by the end of the step, nothing elsewhere. Call
-/// after reflect_sides, which makes the decision of image columns that of their originals.
-void reflect_impact_wall(Grid&, double time_step);
+/// What the line y = origin is.
+enum class Floor {
+  impact_wall,  ///< rigid, frictionless, one-sided
+  mirror        ///< two-sided: what lies below is the image of what lies above
+};
+
+/// The floor. An impact wall pushes and does not pull: it is a mirror in every column where the body's own
+/// motion would take it through the wall by the end of the step, nothing elsewhere. Call after reflect_sides,
+/// which makes the decision of image columns that of their originals.
+void reflect_floor(Grid&, Floor, double time_step);
 
 }  // namespace mpm

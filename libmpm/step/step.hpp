@@ -35,7 +35,7 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt) {
   p2g<Shape>(state.particles, grid);
   for (Node& n : grid.nodes()) n.own_mass = n.mass;
   reflect_sides(grid, top);
-  reflect_impact_wall(grid, dt);
+  reflect_floor(grid, state.floor, dt);
   report.wall_impulse = update_grid(grid, dt);
   report.transfer_heat = g2p<Shape>(state.particles, grid, dt, state.velocity_gradient);
   update_stress(state, model, dt, report);
