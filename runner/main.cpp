@@ -5,10 +5,18 @@
 #include <cstdio>
 #include <exception>
 
+#include "libmpm/io/vtkhdf.hpp"
 #include "libmpm/simulation.hpp"
+#include "runner/catalog/catalog_error.hpp"
 #include "runner/cli/check.hpp"
 #include "runner/cli/cli.hpp"
+#include "runner/cli/export.hpp"
+#include "runner/cli/figures.hpp"
 #include "runner/cli/plan.hpp"
+#include "runner/cli/query.hpp"
+#include "runner/cli/run.hpp"
+#include "runner/cli/status.hpp"
+#include "runner/finish/finish_study.hpp"
 
 namespace {
 
@@ -16,6 +24,14 @@ namespace {
 void setup_verbs(CLI::App& app) {
   mpmstudy::setup_check(app);
   mpmstudy::setup_plan(app);
+  mpmstudy::setup_run(
+      app, {[](const mpm::Scene& scene, mpm::Observer& observer) { return mpm::run(scene, observer); },
+            mpm::write_vtkhdf,
+            mpmstudy::finish_study});
+  mpmstudy::setup_status(app);
+  mpmstudy::setup_query(app);
+  mpmstudy::setup_export(app);
+  mpmstudy::setup_figures(app);
 }
 
 int run(CLI::App& app, int argc, char** argv) {
@@ -26,6 +42,9 @@ int run(CLI::App& app, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? mpmstudy::exit_ok : mpmstudy::exit_usage;
   } catch (const mpmstudy::StudyError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return mpmstudy::exit_usage;
+  } catch (const mpmstudy::CatalogError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return mpmstudy::exit_usage;
   } catch (const std::exception& error) {

@@ -107,6 +107,7 @@ bool is_current(SQLite::Database& db, const CatalogSchema& schema) {
 void bring_up_to_date(SQLite::Database& db, const fs::path& path, const CatalogSchema& schema) {
   if (is_current(db, schema)) return;
   SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+  if (is_current(db, schema)) return;
   const Header header = read_header(db);
   check_header(path, header, schema.version());
   if (header.version > 0) back_up(path, header.version);
@@ -144,6 +145,17 @@ std::string uri_path(const fs::path& path) {
   return text;
 }
 
+/// Refuses what is not ours before a connection that may write touches it. A process that was killed while
+/// it made the catalog leaves a journal that only such a connection can play back: then that one looks.
+void look_before_writing(const fs::path& path, const CatalogSchema& schema) {
+  try {
+    SQLite::Database db(path.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+    check_header(path, read_header(db), schema.version());
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_READONLY) throw;
+  }
+}
+
 void make_folder(const fs::path& results) {
   std::error_code error;
   fs::create_directories(results, error);
@@ -162,12 +174,10 @@ std::unique_ptr<SQLite::Database> open_for_writing(const fs::path& results, cons
   make_folder(results);
   check_is_file(path);
   try {
-    if (fs::exists(path)) {  // look before anything may write
-      SQLite::Database db(path.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
-      check_header(path, read_header(db), schema.version());
-    }
+    if (fs::exists(path)) look_before_writing(path, schema);
     auto db = std::make_unique<SQLite::Database>(
         path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, busy_timeout_ms);
+    check_header(path, read_header(*db), schema.version());
     db->exec("PRAGMA journal_mode = WAL");
     // NORMAL: a killed process loses nothing. A power cut may lose the last commits, never damage the file;
     // such jobs are planned again.
@@ -198,9 +208,10 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
       header = read_header(*db);
     } catch (const SQLite::Exception& error) {
       // WAL needs a small file beside the catalog. Where none can be made nobody can write either.
-      const bool has_wal = fs::exists(path.string() + "-wal", ignored);
+      const bool unfinished =
+          fs::exists(path.string() + "-wal", ignored) || fs::exists(path.string() + "-journal", ignored);
       const int code = error.getErrorCode();
-      if (has_wal || (code != SQLITE_CANTOPEN && code != SQLITE_READONLY)) throw;
+      if (unfinished || (code != SQLITE_CANTOPEN && code != SQLITE_READONLY)) throw;
       db = std::make_unique<SQLite::Database>("file:" + uri_path(path) + "?immutable=1",
                                               flags | SQLite::OPEN_URI);
       header = read_header(*db);

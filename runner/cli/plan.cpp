@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "runner/catalog/reader.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/study/readable.hpp"
 
@@ -24,6 +25,18 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 std::string readable_parameter(std::string_view name, const mpm::Scene& scene) {
   if (const mpm::Quantity* row = mpm::find_quantity(name)) return readable(*row, scene);
   return readable(*mpm::find_choice(name), scene);
+}
+
+/// What a prediction rests on.
+struct Speed {
+  double updates_per_second;  ///< of one core
+  bool measured;              ///< by jobs of the catalog that ran on this host
+  std::string_view source() const { return measured ? "as measured here" : "assumed"; }
+};
+
+Speed speed_of(const std::string& results) {
+  const auto measured = measured_updates_per_second(results);
+  return {measured.value_or(assumed_updates_per_second), measured.has_value()};
 }
 
 std::string duration(double seconds) {
@@ -73,7 +86,7 @@ void print_defaults(const Study& study, const Plan& plan) {
   }
 }
 
-void print_text(const Study& study, const Plan& plan, int workers) {
+void print_text(const Study& study, const Plan& plan, const Speed& speed, int workers) {
   std::vector<std::vector<std::string>> rows = {{"job"}};
   rows[0].insert(rows[0].end(), study.swept.begin(), study.swept.end());
   rows[0].insert(rows[0].end(), {"particles", "steps", "predicted"});
@@ -88,19 +101,18 @@ void print_text(const Study& study, const Plan& plan, int workers) {
   fmt::print("{}: {} ({})\n\n", study.name, study.title, mpm::to_string(study.kind));
   print_table(rows);
   const std::size_t same = study.scenes.size() - plan.jobs.size();
-  fmt::print(
-      "\n{} job{}{}, {} of CPU, {} on -j {} (predicted at {:.3g} particle updates a second and core)\n",
-      plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s",
-      same == 0 ? "" : fmt::format(" ({} more are the same as one of these)", same),
-      duration(cpu_seconds(plan)), duration(wall_seconds(plan, workers)), workers,
-      assumed_updates_per_second);
+  fmt::print("\n{} job{}{}, {} of CPU, {} on -j {} (at {:.3g} particle updates a second and core, {})\n",
+             plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s",
+             same == 0 ? "" : fmt::format(" ({} more are the same as one of these)", same),
+             duration(cpu_seconds(plan)), duration(wall_seconds(plan, workers)), workers,
+             speed.updates_per_second, speed.source());
   if (study.search)
     fmt::print("Search for the smallest {} with outcome {}: the jobs above are its first, at the lower end\n",
                study.search->critical, study.search->outcome);
   print_defaults(study, plan);
 }
 
-Json to_json(const Study& study, const Plan& plan, int workers) {
+Json to_json(const Study& study, const Plan& plan, const Speed& speed, int workers) {
   Json jobs = Json::array();
   for (const Job& job : plan.jobs) {
     Json parameters;
@@ -123,7 +135,8 @@ Json to_json(const Study& study, const Plan& plan, int workers) {
           {"cpu_seconds", cpu_seconds(plan)},
           {"workers", workers},
           {"wall_seconds", wall_seconds(plan, workers)},
-          {"updates_per_second", assumed_updates_per_second}};
+          {"updates_per_second", speed.updates_per_second},
+          {"updates_per_second_measured", speed.measured}};
 }
 
 }  // namespace
@@ -144,11 +157,12 @@ int run_plan(const PlanOptions& options) {
   const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int workers = options.workers > 0 ? options.workers : processors;
   const Study study = read_study(options.file, options.study);
-  const Plan plan = make_plan(study);
+  const Speed speed = speed_of(options.results);
+  const Plan plan = make_plan(study, speed.updates_per_second);
   if (options.json)
-    fmt::print("{}\n", to_json(study, plan, workers).dump(2));
+    fmt::print("{}\n", to_json(study, plan, speed, workers).dump(2));
   else
-    print_text(study, plan, workers);
+    print_text(study, plan, speed, workers);
   return exit_ok;
 }
 

@@ -27,7 +27,7 @@ struct Plan {
   std::vector<Job> jobs;  ///< order of the sweep, equal keys only once
 };
 
-/// What one core is taken to do, until the catalog has seen jobs and knows better [particle updates/s].
+/// What one core is taken to do until the catalog has seen jobs of this host [particle updates/s].
 inline constexpr double assumed_updates_per_second = 5e6;
 
 /// updates_per_second: particle updates a second and core that the prediction assumes.

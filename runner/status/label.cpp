@@ -5,37 +5,17 @@
 #include <cmath>
 
 #include "libmpm/scene/parameters.hpp"
+#include "runner/study/readable.hpp"
 
 namespace mpmstudy {
-namespace {
-
-struct Prefix {
-  double factor;
-  const char* sign;
-};
-constexpr Prefix prefixes[] = {{1e9, "G"},  {1e6, "M"},  {1e3, "k"},  {1, ""},
-                               {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}, {1e-12, "p"}};
-
-}  // namespace
-
-std::string readable(double value, const std::string& unit) {
-  if (unit == "1") return fmt::format("{:.4g}", value);
-  const bool scales = unit == "m" || unit == "s" || unit == "Pa" || unit == "J";
-  if (!scales || value == 0 || !std::isfinite(value)) return fmt::format("{:.4g} {}", value, unit);
-  for (const auto& prefix : prefixes)
-    if (std::abs(value) >= prefix.factor * 0.99995)
-      return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.sign, unit);
-  return fmt::format("{:.4g} {}", value, unit);
-}
-
 std::string label_of(const mpm::Scene& scene, std::span<const std::string> swept) {
   std::string text;
   for (const auto& name : swept) {
     std::string value;
     if (const auto* quantity = mpm::find_quantity(name))
-      value = readable(quantity->get(scene), std::string(quantity->unit));
+      value = readable(*quantity, scene);
     else if (const auto* choice = mpm::find_choice(name))
-      value = choice->allowed[choice->get(scene)];
+      value = readable(*choice, scene);
     else
       continue;
     text += (text.empty() ? "" : ", ") + name + " = " + value;

@@ -6,9 +6,6 @@
 
 namespace mpmstudy {
 
-/// A number with a prefix that people read: "1.5 um", "200 m/s", "60 MPa". Three to four digits.
-std::string readable(double value, const std::string& unit);
-
 /// What tells a job from its neighbours: "cavity_radius = 1 um, impact_speed = 200 m/s". Names that the
 /// scene does not know are left out.
 std::string label_of(const mpm::Scene&, std::span<const std::string> swept);

@@ -2,8 +2,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/catalog_error.hpp"
@@ -146,6 +148,21 @@ TEST_F(Opening, a_results_folder_that_cannot_be_is_refused) {
 TEST_F(Opening, a_folder_in_the_place_of_the_catalog_is_refused) {
   fs::create_directories(path);
   EXPECT_THAT(message_of([&] { open_for_writing(results); }), HasSubstr("cannot be opened"));
+}
+
+TEST_F(Opening, many_at_once_make_one_catalog) {
+  std::atomic<int> opened = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i)
+    threads.emplace_back([&] {
+      EXPECT_NO_THROW(open_for_writing(results));
+      ++opened;
+    });
+  for (auto& thread : threads) thread.join();
+  EXPECT_EQ(opened, 8);
+  EXPECT_EQ(integer(*open_for_reading(results), "PRAGMA user_version"), 1);
+  for (const auto& entry : fs::directory_iterator(results))
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr("backup")));
 }
 
 TEST_F(Opening, reading_needs_a_catalog) {

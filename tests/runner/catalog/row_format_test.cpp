@@ -47,7 +47,7 @@ TEST(RowFormat, json_is_json) {
 TEST(RowFormat, table_is_aligned) {
   EXPECT_EQ(print(RowFormat::table, {"name", "n"},
                   {{std::string("a"), std::int64_t{10}}, {std::string("b\x1b[2J"), std::int64_t{5}}}),
-            "name    n\n------  --\na       10\nb [2J    5\n");
+            "name    n\n-----  --\na      10\nb [2J   5\n");
 }
 
 TEST(RowFormat, doubles_come_back_bit_for_bit) {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
 #include <random>
 
 #include "runner/catalog/connection.hpp"
@@ -44,7 +45,8 @@ TEST(Kill, nothing_done_is_lost_or_run_twice) {
     if (child == 0) {
       try {
         run(results);
-      } catch (...) {
+      } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
         _exit(99);
       }
       _exit(0);

@@ -1,0 +1,19 @@
+#pragma once
+/// `mpmstudy query "SQL"`: asks the catalog. It can change nothing.
+#include <string>
+
+#include "runner/cli/cli.hpp"
+
+namespace mpmstudy {
+
+struct QueryOptions {
+  std::string sql;
+  std::string format = "table";
+  std::string results;
+};
+
+void setup_query(CLI::App&);
+/// Throws CatalogError.
+int run_query(const QueryOptions&);
+
+}  // namespace mpmstudy

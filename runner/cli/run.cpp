@@ -1,0 +1,152 @@
+#include "runner/cli/run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <set>
+#include <string_view>
+
+#include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/connection.hpp"
+#include "runner/catalog/query.hpp"
+#include "runner/catalog/reader.hpp"
+#include "runner/exec/git_revision.hpp"
+#include "runner/exec/run_studies.hpp"
+#include "runner/exec/signals.hpp"
+#include "runner/status/label.hpp"
+#include "runner/status/terminal_status.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// Names that any of the studies sweeps, in the order in which they occur.
+std::vector<std::string> swept_names(const std::vector<Study>& studies) {
+  std::vector<std::string> names;
+  for (const auto& study : studies)
+    for (const auto& name : study.swept)
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  return names;
+}
+
+/// Two files with one name would take each other's jobs away.
+void check_names(const std::vector<Study>& studies) {
+  std::map<std::string, std::filesystem::path> seen;
+  for (const auto& study : studies)
+    if (const auto [other, is_new] = seen.emplace(study.name, study.path); !is_new)
+      throw StudyError(study.path.string() + ": name = \"" + study.name + "\": is also the name of " +
+                       other->second.string() + "; studies that share a catalog have names of their own");
+}
+
+std::unique_ptr<Status> make_status(const RunOptions& options, const std::vector<Study>& studies) {
+  const char* term = std::getenv("TERM");
+  const bool live = isatty(STDOUT_FILENO) != 0 && term != nullptr && std::string_view(term) != "dumb";
+  if (live && !options.quiet && !options.verbose) {
+    TerminalOptions terminal;
+    terminal.swept = swept_names(studies);
+    return make_terminal_status(std::cout, terminal);
+  }
+  return make_plain_status(std::cout, {options.verbose ? 2.0 : 30.0, swept_names(studies), options.quiet});
+}
+
+/// --dry-run: what a run would do. Writes nothing, and needs no catalog.
+int print_intent(const RunOptions& options, const std::vector<Study>& studies,
+                 const std::vector<PlannedStudy>& planned) {
+  std::map<std::string, std::string> known;
+  if (std::filesystem::exists(catalog_path(options.results)))
+    for (const auto& row : query(options.results, "SELECT DISTINCT key, status FROM jobs").rows)
+      known[std::get<std::string>(row[0])] = std::get<std::string>(row[1]);
+  std::vector<const Job*> jobs;
+  std::map<std::string, std::int64_t> kept;
+  std::set<std::string> seen;
+  double seconds = 0;
+  for (const auto& study : planned)
+    for (const auto& job : study.plan.jobs) {
+      if (!seen.insert(job.key).second) continue;
+      const auto status = known.contains(job.key) ? known[job.key] : "planned";
+      if (status == "done" || (status == "failed" && !options.retry_failed)) {
+        ++kept[status];
+        continue;
+      }
+      jobs.push_back(&job);
+      seconds += job.predicted_seconds;
+    }
+  std::ranges::stable_sort(jobs, std::ranges::greater{}, &Job::predicted_seconds);
+  const auto swept = swept_names(studies);
+  for (const auto* job : jobs)
+    fmt::print("{}  {} particles, {} steps, {}  {}\n", job->key.substr(0, 8), job->estimate.particles,
+               job->estimate.steps, readable_duration(job->predicted_seconds), label_of(job->scene, swept));
+  fmt::print("{} jobs would run, about {} of one core; {} are done, {} failed and would be left\n",
+             jobs.size(), readable_duration(seconds), kept["done"], kept["failed"]);
+  return exit_ok;
+}
+
+/// Fits and figures of every study; false if one could not be finished.
+bool finish_studies(const std::vector<Study>& studies, const RunOptions& options, const RunSeams& seams,
+                    CatalogWriter& writer) {
+  bool good = true;
+  for (const auto& study : studies) try {
+      if (seams.finish_study) seams.finish_study(study, options.results, writer);
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "{}: {}\n", study.name, error.what());
+      good = false;
+    }
+  return good;
+}
+
+}  // namespace
+
+void setup_run(CLI::App& app, RunSeams given) {
+  const auto options = std::make_shared<RunOptions>();
+  const auto seams = std::make_shared<RunSeams>(std::move(given));
+  CLI::App& verb = *app.add_subcommand("run", "Run what is not decided yet; running again goes on");
+  verb.add_option("STUDY", options->files, "Study files")->required();
+  verb.add_option("-j,--jobs", options->workers, "Jobs at a time [processors]")->check(CLI::Range(1, 4096));
+  verb.add_flag("-n,--dry-run", options->dry_run, "Say what would run; write nothing");
+  verb.add_flag("--retry-failed", options->retry_failed, "Run failed jobs again");
+  auto* quiet = verb.add_flag("-q,--quiet", options->quiet, "Failures and the summary only");
+  verb.add_flag("-v,--verbose", options->verbose, "Lines instead of a live display, and more of them")
+      ->excludes(quiet);
+  add_study_options(verb, options->study);
+  add_results_option(verb, options->results);
+  verb.callback([options, seams] { finish(run_run(*options, *seams)); });
+}
+
+int run_run(const RunOptions& options, const RunSeams& seams) {
+  std::vector<Study> studies;
+  for (const auto& file : options.files) studies.push_back(read_study(file, options.study));
+  check_names(studies);
+  const double rate = measured_updates_per_second(options.results).value_or(assumed_updates_per_second);
+  std::vector<PlannedStudy> planned;
+  for (const auto& study : studies) {
+    planned.push_back({make_plan(study, rate), study.title});
+    if (study.search)
+      fmt::print(stderr, "{}: [search] is not carried out yet, only its jobs at the lower end are run\n",
+                 study.name);
+  }
+  if (options.dry_run) return print_intent(options, studies, planned);
+
+  const SignalGuard signals;
+  WriterOptions writer_options;
+  writer_options.store.git_revision = git_revision();
+  CatalogWriter writer(options.results, writer_options);
+  const auto status = make_status(options, studies);
+  RunReport report;
+  try {
+    report = run_studies(planned, options.retry_failed, writer, *status, seams.simulate, seams.write_snapshot,
+                         signal_flag(), {options.results, static_cast<unsigned>(options.workers)});
+  } catch (const CatalogError& error) {  // on the way, so there is work left
+    fmt::print(stderr, "{}\nrun again to go on\n", error.what());
+    return exit_stopped;
+  }
+  const bool good = report.left() > 0 || finish_studies(studies, options, seams, writer);
+  const int code = report.exit_code();
+  return code == exit_ok && !good ? exit_failed : code;
+}
+
+}  // namespace mpmstudy

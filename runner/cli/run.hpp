@@ -1,0 +1,42 @@
+#pragma once
+/// `mpmstudy run STUDY...`: runs what is not decided yet. Running again goes on.
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "runner/catalog/writer.hpp"
+#include "runner/cli/cli.hpp"
+#include "runner/exec/executor.hpp"
+#include "runner/study/study.hpp"
+
+namespace mpmstudy {
+
+struct RunOptions {
+  std::vector<std::string> files;
+  std::string results;
+  StudyOptions study;
+  int workers = 0;  ///< 0: as many as there are processors
+  bool dry_run = false;
+  bool retry_failed = false;
+  bool quiet = false;
+  bool verbose = false;
+};
+
+/// What follows when all jobs of a study are decided: fits, figures. It reads the catalog of `results`
+/// (query() of catalog/query.hpp) and hands fits to the writer. What it throws is printed, and the run ends
+/// with 1.
+using FinishStudy = std::function<void(const Study&, const std::filesystem::path& results, CatalogWriter&)>;
+
+/// What main puts behind the verb: mpm::run, mpm::write_vtkhdf, fits and figures.
+struct RunSeams {
+  Simulate simulate;
+  WriteSnapshot write_snapshot;
+  FinishStudy finish_study;  ///< empty: nothing follows
+};
+
+void setup_run(CLI::App&, RunSeams);
+/// Throws StudyError and CatalogError before anything has run.
+int run_run(const RunOptions&, const RunSeams&);
+
+}  // namespace mpmstudy

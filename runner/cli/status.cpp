@@ -1,0 +1,86 @@
+#include "runner/cli/status.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "runner/catalog/reader.hpp"
+
+namespace mpmstudy {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr JobStatus all_states[] = {JobStatus::planned, JobStatus::running, JobStatus::done,
+                                    JobStatus::failed, JobStatus::cancelled};
+
+std::int64_t count(const StudyState& study, JobStatus status) {
+  const auto found = study.jobs.find(status);
+  return found == study.jobs.end() ? 0 : found->second;
+}
+
+Json to_json(const CatalogState& state) {
+  Json json = {{"studies", Json::array()}, {"running", Json::array()}, {"failed", Json::array()}};
+  for (const auto& study : state.studies) {
+    Json jobs;
+    for (const auto status : all_states) jobs[std::string(to_string(status))] = count(study, status);
+    json["studies"].push_back({{"study", study.name}, {"title", study.title}, {"jobs", jobs}});
+  }
+  for (const auto& job : state.running)
+    json["running"].push_back({{"key", job.key},
+                               {"study", job.study},
+                               {"by", job.by},
+                               {"since", job.since},
+                               {"attempt", job.attempt}});
+  for (const auto& job : state.failed)
+    json["failed"].push_back({{"key", job.key}, {"study", job.study}, {"reason", job.reason}});
+  return json;
+}
+
+void print_text(const CatalogState& state) {
+  std::size_t width = 5;
+  for (const auto& study : state.studies) width = std::max(width, study.name.size());
+  fmt::print("{:<{}}", "study", width);
+  for (const auto status : all_states) fmt::print("  {:>9}", to_string(status));
+  fmt::print("\n");
+  for (const auto& study : state.studies) {
+    fmt::print("{:<{}}", study.name, width);
+    for (const auto status : all_states) fmt::print("  {:>9}", count(study, status));
+    fmt::print("\n");
+  }
+  if (!state.running.empty()) fmt::print("\nrunning\n");
+  for (const auto& job : state.running)
+    fmt::print("  {}  {}  by {} since {}, attempt {}\n", job.key.substr(0, 8), job.study, job.by, job.since,
+               job.attempt);
+  if (!state.failed.empty()) fmt::print("\nfailed\n");
+  for (const auto& job : state.failed)
+    fmt::print("  {}  {}  {}\n", job.key.substr(0, 8), job.study, job.reason);
+}
+
+}  // namespace
+
+void setup_status(CLI::App& app) {
+  const auto options = std::make_shared<StatusOptions>();
+  CLI::App& verb = *app.add_subcommand("status", "Say how far the studies are");
+  verb.add_option("STUDY", options->studies, "Names of studies, or study files [all]");
+  verb.add_flag("--json", options->json, "One JSON object");
+  add_results_option(verb, options->results);
+  verb.callback([options] { finish(run_status(*options)); });
+}
+
+int run_status(const StatusOptions& options) {
+  std::vector<std::string> names;
+  for (const auto& study : options.studies)
+    names.push_back(std::filesystem::is_regular_file(study) ? read_study(study, StudyOptions{}).name : study);
+  const auto state = read_state(options.results, names);
+  if (options.json)
+    fmt::print("{}\n", to_json(state).dump(2, ' ', false, Json::error_handler_t::replace));
+  else
+    print_text(state);
+  return exit_ok;
+}
+
+}  // namespace mpmstudy

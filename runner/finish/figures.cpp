@@ -1,0 +1,138 @@
+#include "runner/finish/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/field_plot.hpp"
+#include "analysis/plot.hpp"
+#include "libmpm/io/vtkhdf.hpp"
+#include "libmpm/scene/parameters.hpp"
+#include "runner/finish/fits.hpp"
+
+namespace mpmstudy {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string footer_of(const StudyResults& results) {
+  return fmt::format("catalog {}, physics version {}", results.fingerprint, mpm::physics_version);
+}
+
+/// The column of a snapshot that a study calls by this name.
+const std::vector<double>& field_of(const mpm::Snapshot& s, const std::string& name) {
+  const std::pair<const char*, const std::vector<double>*> columns[] = {
+      {"velocity_x", &s.velocity_x},     {"velocity_y", &s.velocity_y},
+      {"density", &s.density},           {"pressure", &s.pressure},
+      {"stress_xx", &s.stress_xx},       {"stress_yy", &s.stress_yy},
+      {"stress_xy", &s.stress_xy},       {"stress_zz", &s.stress_zz},
+      {"von_mises", &s.von_mises},       {"equivalent_plastic_strain", &s.equivalent_plastic_strain},
+      {"plastic_work", &s.plastic_work}, {"specific_internal_energy", &s.specific_internal_energy},
+      {"temperature", &s.temperature}};
+  for (const auto& [known, column] : columns)
+    if (name == known) return *column;
+  throw std::runtime_error("a snapshot has no field " + name);
+}
+
+bool draw_history(const Study& study, const StudyResults& results, const FigureRequest& request,
+                  const fs::path& stem) {
+  analysis::Plot plot;
+  plot.kind = analysis::Plot::Kind::history;
+  plot.title = request.title;
+  plot.footer = footer_of(results);
+  plot.x = analysis::named_quantity("time");
+  plot.y = analysis::named_quantity("area");
+  plot.y_from_zero = true;
+  for (const Group& group : group_jobs(study, results, ""))
+    for (const JobResults* job : group.jobs) {
+      analysis::Series series{group.label, {}, {}, {}};
+      for (const mpm::AreaSample& sample : area_history_of(results, *job)) {
+        series.x.push_back(sample.time);
+        series.y.push_back(sample.area);
+        series.y_error.push_back(std::abs(sample.void_area - sample.area));
+      }
+      if (!series.x.empty()) plot.series.push_back(std::move(series));
+    }
+  if (plot.series.empty()) return false;
+  draw(plot, stem);
+  return true;
+}
+
+bool draw_xy(const Study& study, const StudyResults& results, const FigureRequest& request,
+             const fs::path& stem) {
+  analysis::Plot plot;
+  plot.kind = analysis::Plot::Kind::xy;
+  plot.title = request.title;
+  plot.footer = footer_of(results);
+  plot.x = analysis::named_quantity(request.x, mpm::find_quantity(request.x)->unit);
+  plot.y = analysis::named_quantity(request.y, unit_of(results, request.y));
+  const auto groups = group_jobs(study, results, request.x);
+  for (const Group& group : groups) {
+    Column c = column_of(results, group, request.x, request.y);
+    if (c.x.empty()) continue;
+    const auto fit = std::ranges::find_if(
+        study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == request.y; });
+    // Several groups have several curves; one formula under the title would speak of one of them only.
+    if (groups.size() == 1 && fit != study.fits.end())
+      plot.fit = analysis::fit_polynomial(*analysis::fit_model(fit->model), c.x, c.y, c.y_error);
+    plot.series.push_back({group.label, std::move(c.x), std::move(c.y), std::move(c.y_error)});
+  }
+  if (plot.series.empty()) return false;
+  draw(plot, stem);
+  return true;
+}
+
+analysis::FieldPanel panel_of(const mpm::Snapshot& s, const std::string& field) {
+  analysis::FieldPanel panel;
+  panel.title = analysis::value_label(analysis::named_quantity("time"), s.time);
+  panel.particles = {s.x, s.y, {}, field_of(s, field)};
+  for (std::size_t p = 0; p < s.mass.size(); ++p)
+    panel.particles.size.push_back(std::sqrt(s.mass[p] / s.density[p]));
+  return panel;
+}
+
+/// One figure a job: NAME, or NAME-1, NAME-2, ... in the order of the sweep.
+std::vector<fs::path> draw_fields(const Study& study, const StudyResults& results,
+                                  const FigureRequest& request, const fs::path& stem) {
+  std::vector<fs::path> stems;
+  const auto groups = group_jobs(study, results, "");
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const JobResults& job = *groups[g].jobs.front();
+    analysis::FieldPlot plot;
+    plot.title = groups[g].label.empty() ? request.title : request.title + ", " + groups[g].label;
+    plot.footer = footer_of(results);
+    plot.value = analysis::named_quantity(request.y);
+    plot.mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
+    for (const fs::path& file : snapshots_of(results, job))
+      plot.panels.push_back(panel_of(mpm::read_vtkhdf(file), request.y));
+    if (plot.panels.empty()) continue;
+    const std::string suffix = groups.size() == 1 ? "" : fmt::format("-{}", g + 1);
+    stems.push_back(stem.string() + suffix);
+    draw(plot, stems.back());
+    plot.palette = analysis::Palette::grey;
+    stems.push_back(stem.string() + suffix + "-grey");
+    draw(plot, stems.back());
+  }
+  return stems;
+}
+
+}  // namespace
+
+std::vector<fs::path> draw_figures(const Study& study, const StudyResults& results) {
+  std::vector<fs::path> stems;
+  for (const FigureRequest& request : study.figures) {
+    const fs::path stem = results.folder / "figures" / request.name;
+    if (request.kind == "fields") {
+      for (fs::path& drawn : draw_fields(study, results, request, stem)) stems.push_back(std::move(drawn));
+    } else {
+      const bool drawn = request.kind == "history" ? draw_history(study, results, request, stem)
+                                                   : draw_xy(study, results, request, stem);
+      if (drawn) stems.push_back(stem);
+    }
+  }
+  for (fs::path& stem : stems) stem += ".png";
+  return stems;
+}
+
+}  // namespace mpmstudy

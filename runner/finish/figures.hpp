@@ -1,0 +1,15 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "runner/finish/study_results.hpp"
+
+namespace mpmstudy {
+
+/// Draws every [[figure]] of the study from what is done, as results/figures/NAME.png and .svg; `fields` also
+/// in the paper's grey, NAME-grey. A figure for which nothing is done yet is left out. Returns the PNG files.
+/// Every image carries the fingerprint of the rows it was drawn from and the physics version. Throws
+/// std::runtime_error where gnuplot, a snapshot file or the disk fails.
+std::vector<std::filesystem::path> draw_figures(const Study&, const StudyResults&);
+
+}  // namespace mpmstudy

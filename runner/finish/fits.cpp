@@ -1,0 +1,62 @@
+#include "runner/finish/fits.hpp"
+
+#include <fmt/format.h>
+
+#include "libmpm/scene/parameters.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// "m^2 / m^1" as one text: the unit of a coefficient.
+std::string coefficient_unit(const std::string& y, std::string_view x, std::size_t power) {
+  if (power == 0 || x == "1") return y;
+  const std::string divisor = power == 1 ? std::string(x) : fmt::format("({})^{}", x, power);
+  return fmt::format("{}/{}", y, divisor);
+}
+
+}  // namespace
+
+Column column_of(const StudyResults& results, const Group& group, const std::string& x,
+                 const std::string& y) {
+  Column column;
+  bool errors = true;
+  const mpm::Quantity* quantity = mpm::find_quantity(x);
+  for (const JobResults* job : group.jobs) {
+    const auto measured = result_of(results, *job, y);
+    if (!measured) continue;
+    column.x.push_back(quantity->get(job->scene));
+    column.y.push_back(measured->value);
+    column.y_error.push_back(measured->error.value_or(0));
+    errors &= measured->error.value_or(0) > 0;
+  }
+  if (!errors) column.y_error.clear();
+  return column;
+}
+
+Fits fit_study(const Study& study, const StudyResults& results) {
+  Fits fits;
+  for (const FitRequest& request : study.fits) {
+    const std::string y_unit = unit_of(results, request.y);
+    const std::string_view x_unit = mpm::find_quantity(request.x)->unit;
+    for (const Group& group : group_jobs(study, results, request.x)) {
+      const Column c = column_of(results, group, request.x, request.y);
+      const analysis::Fit fit =
+          analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y, c.y_error);
+      const std::string model = group.label.empty() ? request.model : request.model + ", " + group.label;
+      if (!fit.ok()) {
+        fits.problems.push_back(
+            fmt::format("{} of {} against {}: {}", model, request.y, request.x, fit.problem));
+        continue;
+      }
+      for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
+        FitRow row{request.y,           request.x, model,  fmt::format("c{}", k),
+                   fit.coefficients[k], {},        fit.r2, coefficient_unit(y_unit, x_unit, k)};
+        if (!fit.standard_errors.empty()) row.standard_error = fit.standard_errors[k];
+        fits.rows.push_back(std::move(row));
+      }
+    }
+  }
+  return fits;
+}
+
+}  // namespace mpmstudy

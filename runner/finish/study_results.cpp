@@ -1,0 +1,129 @@
+#include "runner/finish/study_results.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analysis/units.hpp"
+#include "libmpm/scene/parameters.hpp"
+#include "runner/catalog/query.hpp"
+#include "runner/plan/plan.hpp"
+
+namespace mpmstudy {
+namespace {
+
+constexpr const char* job_columns[] = {"collapsibility", "final_area_m2", "initial_area_m2", "energy_error",
+                                       "particles",      "steps",         "wall_s",          "cpu_s"};
+/// Columns of the view `jobs` whose error stands in a column of its own.
+constexpr std::pair<const char*, const char*> job_errors[] = {{"collapsibility", "collapsibility_error"},
+                                                              {"final_area_m2", "final_area_error_m2"}};
+
+bool is_job_column(const std::string& name) {
+  return std::ranges::any_of(job_columns, [&](const char* column) { return name == column; });
+}
+
+std::optional<double> number(const SqlValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  return std::nullopt;
+}
+
+Rows ask(const StudyResults& results, const std::string& sql, const SqlValue& parameter) {
+  return query(results.folder, sql, std::span(&parameter, 1));
+}
+
+std::string label_of(const std::string& name, const mpm::Scene& scene) {
+  if (const mpm::Quantity* q = mpm::find_quantity(name))
+    return analysis::value_label(analysis::named_quantity(name, q->unit), q->get(scene));
+  const mpm::Choice* c = mpm::find_choice(name);
+  return c ? std::string(c->allowed[c->get(scene)]) : name;
+}
+
+}  // namespace
+
+StudyResults read_results(const Study& study, const std::filesystem::path& folder) {
+  StudyResults results{folder, {}, 0, {}};
+  std::set<std::string> done;
+  std::string drawn;
+  const SqlValue name = study.name;
+  const Rows rows = query(folder,
+                          "SELECT DISTINCT key, energy_error, final_area_m2 FROM jobs "
+                          "WHERE study = ?1 AND status = 'done' ORDER BY key",
+                          std::span(&name, 1));
+  for (const auto& row : rows.rows) done.insert(std::get<std::string>(row[0]));
+  for (const mpm::Scene& scene : study.scenes) {
+    const std::string key = job_key(scene);
+    if (!done.contains(key)) {
+      ++results.missing;
+      continue;
+    }
+    results.done.push_back({key, scene});
+    drawn += key;
+  }
+  for (const auto& row : rows.rows)
+    for (std::size_t k = 1; k < row.size(); ++k)
+      if (const auto value = number(row[k])) drawn += fmt::format(" {:a}", *value);
+  results.fingerprint = fmt::format("{:016x}", XXH3_64bits(drawn.data(), drawn.size()));
+  return results;
+}
+
+std::optional<Measured> result_of(const StudyResults& results, const JobResults& job,
+                                  const std::string& name) {
+  Rows rows;
+  if (is_job_column(name)) {
+    std::string error = "NULL";
+    for (const auto& [column, error_column] : job_errors)
+      if (name == column) error = error_column;
+    rows = ask(results, fmt::format("SELECT {}, {} FROM jobs WHERE key = ?1 LIMIT 1", name, error), job.key);
+  } else {
+    rows = ask(results, fmt::format("SELECT value, error FROM metrics WHERE key = ?1 AND name = '{}'", name),
+               job.key);
+  }
+  if (rows.rows.empty()) return std::nullopt;
+  const auto value = number(rows.rows[0][0]);
+  if (!value) return std::nullopt;
+  return Measured{*value, number(rows.rows[0][1])};
+}
+
+std::string unit_of(const StudyResults& results, const std::string& name) {
+  if (is_job_column(name)) return name.ends_with("_m2") ? "m^2" : name.ends_with("_s") ? "s" : "1";
+  const Rows rows = ask(results, "SELECT unit FROM metrics WHERE name = ?1 LIMIT 1", name);
+  return rows.rows.empty() ? "1" : std::get<std::string>(rows.rows[0][0]);
+}
+
+std::vector<mpm::AreaSample> area_history_of(const StudyResults& results, const JobResults& job) {
+  const Rows rows =
+      ask(results, "SELECT time_s, area_m2, void_area_m2 FROM area_history WHERE key = ?1 ORDER BY time_s",
+          job.key);
+  std::vector<mpm::AreaSample> history;
+  for (const auto& row : rows.rows)
+    history.push_back({number(row[0]).value_or(0), number(row[1]).value_or(0), number(row[2]).value_or(0)});
+  return history;
+}
+
+std::vector<std::filesystem::path> snapshots_of(const StudyResults& results, const JobResults& job) {
+  const Rows rows = ask(results, "SELECT path FROM snapshots WHERE key = ?1 ORDER BY time_s", job.key);
+  std::vector<std::filesystem::path> files;
+  for (const auto& row : rows.rows) files.push_back(results.folder / std::get<std::string>(row[0]));
+  return files;
+}
+
+std::vector<Group> group_jobs(const Study& study, const StudyResults& results, const std::string& x) {
+  std::vector<Group> groups;
+  for (const JobResults& job : results.done) {
+    std::string label;
+    for (const std::string& name : study.swept)
+      if (name != x) label += (label.empty() ? "" : ", ") + label_of(name, job.scene);
+    const auto same = std::ranges::find(groups, label, &Group::label);
+    if (same == groups.end())
+      groups.push_back({label, {&job}});
+    else
+      same->jobs.push_back(&job);
+  }
+  return groups;
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,53 @@
+#pragma once
+/// What a study's jobs have come to, read from the catalog: the tables that fits and figures are made from.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libmpm/simulation.hpp"
+#include "runner/study/study.hpp"
+
+namespace mpmstudy {
+
+/// A number with the half width of its interval, in the unit of its column.
+struct Measured {
+  double value = 0;
+  std::optional<double> error;
+};
+
+/// One done job of a study.
+struct JobResults {
+  std::string key;
+  mpm::Scene scene;
+};
+
+/// The done jobs of a study, in the order of its sweep, and how many are not done.
+struct StudyResults {
+  std::filesystem::path folder;  ///< the results folder
+  std::vector<JobResults> done;
+  std::size_t missing = 0;
+  std::string fingerprint;  ///< of keys and results: 16 hexadecimal digits
+};
+
+/// Throws CatalogError if there is no catalog.
+StudyResults read_results(const Study&, const std::filesystem::path& results);
+
+/// A result column of the view `jobs` or a name of the view `metrics`; empty where the job has none.
+std::optional<Measured> result_of(const StudyResults&, const JobResults&, const std::string& name);
+/// SI unit of such a name: that of the metric, or what the column's name ends in.
+std::string unit_of(const StudyResults&, const std::string& name);
+
+std::vector<mpm::AreaSample> area_history_of(const StudyResults&, const JobResults&);
+/// Files of a job's snapshots, in order of time.
+std::vector<std::filesystem::path> snapshots_of(const StudyResults&, const JobResults&);
+
+/// Jobs that differ in `x` alone, and what sets them apart from the other groups.
+struct Group {
+  std::string label;  ///< "h = 0.1 um"; empty if there is one group
+  std::vector<const JobResults*> jobs;
+};
+/// Groups by all that the study sweeps apart from `x` (a quantity; "" groups every job by itself).
+std::vector<Group> group_jobs(const Study&, const StudyResults&, const std::string& x);
+
+}  // namespace mpmstudy

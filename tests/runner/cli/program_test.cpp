@@ -1,0 +1,203 @@
+// The program as a user has it: exit codes, what it prints, signals, the same rows for any -j.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "runner/catalog/connection.hpp"
+#include "runner/catalog/query.hpp"
+#include "runner/catalog/row_format.hpp"
+#include "tests/runner/fakes.hpp"
+
+namespace mpmstudy {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using Arguments = std::vector<std::string>;
+
+class Program : public testing::Test {
+ protected:
+  pid_t start(Arguments arguments) {
+    arguments.insert(arguments.begin(), PROGRAM);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    dup2(file, STDOUT_FILENO);
+    dup2(file, STDERR_FILENO);
+    std::vector<char*> raw;
+    for (auto& argument : arguments) raw.push_back(argument.data());
+    raw.push_back(nullptr);
+    execv(PROGRAM, raw.data());
+    _exit(127);
+  }
+  int wait_for(pid_t child) {
+    int end = 0;
+    waitpid(child, &end, 0);
+    std::ifstream file(log);
+    std::stringstream text;
+    text << file.rdbuf();
+    output = text.str();
+    return WIFEXITED(end) ? WEXITSTATUS(end) : 1000 + WTERMSIG(end);
+  }
+  int run(const Arguments& arguments) { return wait_for(start(arguments)); }
+
+  fakes::TemporaryFolder folder;
+  std::string log = (folder.path() / "log").string();
+  std::string results = (folder.path() / "results").string();
+  std::string smoke = SOURCE_DIR "/studies/smoke.toml";
+  std::string output;
+};
+
+TEST_F(Program, runs_asks_and_exports) {
+  ASSERT_EQ(run({"run", smoke, "--results", results, "-j", "2"}), 0) << output;
+  EXPECT_THAT(output, HasSubstr("M/s updates"));
+  EXPECT_THAT(output, HasSubstr("2 done, 0 failed, 0 reused, 0 left"));
+  ASSERT_EQ(run({"run", smoke, "--results", results, "-q"}), 0) << output;
+  EXPECT_THAT(output, HasSubstr("2 reused"));
+
+  EXPECT_EQ(run({"status", smoke, "--results", results}), 0) << output;
+  EXPECT_EQ(run({"status", "smoke", "--json", "--results", results}), 0);
+  EXPECT_EQ(nlohmann::json::parse(output)["studies"][0]["jobs"]["done"], 2);
+
+  EXPECT_EQ(run({"query", "SELECT key, cavity_radius_m FROM jobs ORDER BY 2", "--format", "json", "--results",
+                 results}),
+            0);
+  EXPECT_EQ(nlohmann::json::parse(output)[1]["cavity_radius_m"], 2e-6);
+  EXPECT_EQ(run({"query", "SELECT 1 AS one, 'a,b' AS two", "--format", "csv", "--results", results}), 0);
+  EXPECT_EQ(output, "one,two\r\n1,\"a,b\"\r\n");
+
+  const auto exported = folder.path() / "exported";
+  ASSERT_EQ(
+      run({"export", "--what", "all", "--study", "smoke", "-o", exported.string(), "--results", results}), 0)
+      << output;
+  for (const char* name :
+       {"jobs.csv", "metrics.csv", "area_history.csv", "fits.csv", "critical_speed.csv", "snapshots.csv"})
+    EXPECT_GT(fs::file_size(exported / name), 0u) << name;
+  ASSERT_EQ(run({"export", "--what", "area_history", "--format", "json", "--results", results}), 0);
+  const auto rows = query(results, "SELECT area_m2 FROM area_history ORDER BY key, time_s").rows;
+  const auto json = nlohmann::json::parse(output);
+  ASSERT_EQ(json.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)  // bit for bit, through the text
+    EXPECT_EQ(json[i]["area_m2"].get<double>(), std::get<double>(rows[i][0]));
+}
+
+TEST_F(Program, any_number_of_workers_gives_the_same_rows) {
+  std::string texts[2];
+  for (const int workers : {1, 2}) {
+    const auto here = results + std::to_string(workers);
+    ASSERT_EQ(run({"run", smoke, "--results", here, "-j", std::to_string(workers)}), 0) << output;
+    auto& text = texts[workers - 1];
+    for (const char* view : {"jobs", "metrics", "area_history", "snapshots"}) {
+      const auto rows = query(here, std::string("SELECT * FROM ") + view + " ORDER BY 1, 2, 3");
+      static const std::set<std::string> times = {"wall_s",      "cpu_s",       "started_at",
+                                                  "finished_at", "predicted_s", "particle_updates_per_s"};
+      for (const auto& row : rows.rows)
+        for (std::size_t i = 0; i < row.size(); ++i) {
+          if (times.contains(rows.names[i])) continue;
+          std::ostringstream value;
+          const auto sink = make_row_sink(RowFormat::csv, value);
+          sink->row(std::span(&row[i], 1));
+          text += rows.names[i] + "=" + value.str();
+        }
+    }
+  }
+  EXPECT_GT(texts[0].size(), 5000u);
+  EXPECT_EQ(texts[0], texts[1]);
+}
+
+TEST_F(Program, what_cannot_be_used_ends_with_2_and_says_why) {
+  std::ofstream(folder.path() / "file") << "x";
+  EXPECT_EQ(run({"run", smoke, "--results", (folder.path() / "file").string()}), 2);
+  EXPECT_THAT(output, HasSubstr("cannot be used as the results folder"));
+  EXPECT_EQ(run({"query", "SELECT 1", "--results", results}), 2);
+  EXPECT_THAT(output, HasSubstr("there is no catalog"));
+  EXPECT_EQ(run({"export", "--what", "nonsense", "--results", results}), 2);
+  EXPECT_EQ(run({"run", "--results", results}), 2);
+  EXPECT_EQ(run({"run", smoke, "-j", "0", "--results", results}), 2);
+  EXPECT_FALSE(fs::exists(results));
+}
+
+TEST_F(Program, a_newer_catalog_is_refused_with_2) {
+  open_for_writing(results)->exec("PRAGMA user_version = 99");
+  for (const Arguments& arguments :
+       {Arguments{"run", smoke}, Arguments{"status"}, Arguments{"query", "SELECT 1"}, Arguments{"export"}}) {
+    auto all = arguments;
+    all.insert(all.end(), {"--results", results});
+    EXPECT_EQ(run(all), 2) << arguments[0];
+    EXPECT_THAT(output, HasSubstr("newer mpmstudy (catalog version 99"));
+  }
+}
+
+TEST_F(Program, query_that_would_write_ends_with_2) {
+  open_for_writing(results);
+  for (const char* sql : {"DELETE FROM job", "ATTACH 'x.db' AS x", "SELECT load_extension('x')",
+                          "PRAGMA user_version = 1", "SELECT 1; SELECT 2", "nonsense"})
+    EXPECT_EQ(run({"query", sql, "--results", results}), 2) << sql;
+}
+
+TEST_F(Program, unknown_studies_end_with_2) {
+  open_for_writing(results);
+  EXPECT_EQ(run({"status", "nobody", "--results", results}), 2);
+  EXPECT_THAT(output, HasSubstr("there is no study 'nobody'; known: none"));
+  EXPECT_EQ(run({"export", "--study", "nobody", "--results", results}), 2);
+}
+
+class Stops : public Program {
+ protected:
+  /// Starts jobs that would last for minutes; returns once the catalog has such a row.
+  pid_t start_long_run(const std::string& sql = "SELECT 1 FROM jobs WHERE status = 'running'") {
+    const pid_t child = start({"run", smoke, "--results", results, "--set", "cell_size=0.02 um", "-j", "2"});
+    for (int i = 0; i < 1000; ++i) {
+      usleep(10'000);
+      try {
+        if (!query(results, sql).rows.empty()) break;
+      } catch (const std::exception&) {  // not there yet
+      }
+    }
+    return child;
+  }
+  std::size_t count(const std::string& where) {
+    return query(results, "SELECT key FROM jobs WHERE " + where).rows.size();
+  }
+};
+
+TEST_F(Stops, ctrl_c_ends_with_130_within_two_seconds) {
+  const pid_t child = start_long_run();
+  const auto asked = std::chrono::steady_clock::now();
+  kill(child, SIGINT);
+  EXPECT_EQ(wait_for(child), 130) << output;
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(2));
+  EXPECT_EQ(count("status = 'planned'"), 2u);
+  EXPECT_THAT(output, HasSubstr("stopped: interrupted; run again to go on"));
+}
+
+TEST_F(Stops, termination_ends_with_75) {
+  const pid_t child = start_long_run();
+  kill(child, SIGTERM);
+  EXPECT_EQ(wait_for(child), 75) << output;
+  EXPECT_EQ(count("status = 'planned'"), 2u);
+}
+
+TEST_F(Stops, a_killed_run_is_taken_up) {
+  const pid_t child = start_long_run();
+  kill(child, SIGKILL);
+  EXPECT_EQ(wait_for(child), 1000 + SIGKILL);
+  EXPECT_GT(count("status = 'running'"), 0u);
+  const pid_t again = start_long_run("SELECT 1 FROM events WHERE reason LIKE 'process % is gone'");
+  kill(again, SIGINT);
+  EXPECT_EQ(wait_for(again), 130) << output;
+  EXPECT_THAT(output, HasSubstr("taken up from a process that is gone"));
+  EXPECT_EQ(count("status = 'planned'"), 2u);
+}
+
+}  // namespace
+}  // namespace mpmstudy

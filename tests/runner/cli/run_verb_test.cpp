@@ -1,0 +1,134 @@
+// The verb `run` on a real study file, with a fake simulation behind it.
+#include "runner/cli/run.hpp"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+
+#include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/query.hpp"
+#include "tests/runner/fakes.hpp"
+
+namespace mpmstudy {
+namespace {
+
+class RunVerb : public testing::Test {
+ protected:
+  RunVerb() {
+    options.files = {SOURCE_DIR "/studies/smoke.toml"};
+    options.results = (folder.path() / "results").string();
+    seams.simulate = [this](const mpm::Scene& s, mpm::Observer& o) {
+      ++simulated;
+      return fakes::simulate(s, o);
+    };
+    seams.write_snapshot = fakes::write_snapshot;
+    seams.finish_study = [this](const Study& study, const std::filesystem::path& results,
+                                CatalogWriter& writer) {
+      finished.push_back(study.name);
+      const auto rows = query(results, "SELECT count(*) FROM jobs WHERE status = 'done'").rows;
+      done_when_finished = std::get<std::int64_t>(rows[0][0]);
+      writer.replace_fits(study.name, {{"collapsibility", "cavity_radius", "linear", "c0", 1, {}, {}, "1"}});
+      if (bad_figure) throw std::runtime_error("gnuplot is not there");
+    };
+  }
+  int run() {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    struct Capture {
+      std::string& text;
+      ~Capture() { text = testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(); }
+    } capture{output};
+    return run_run(options, seams);
+  }
+
+  fakes::TemporaryFolder folder;
+  RunOptions options;
+  RunSeams seams;
+  std::atomic<int> simulated = 0;
+  std::vector<std::string> finished;
+  std::int64_t done_when_finished = 0;
+  bool bad_figure = false;
+  std::string output;
+};
+
+TEST_F(RunVerb, runs_and_finishes) {
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_EQ(simulated, 2);
+  EXPECT_EQ(finished, std::vector<std::string>{"smoke"});
+  EXPECT_EQ(done_when_finished, 2);
+  EXPECT_EQ(query(options.results, "SELECT * FROM fits").rows.size(), 1u);
+  EXPECT_THAT(output, testing::HasSubstr("2 done, 0 failed, 0 reused, 0 left"));
+  EXPECT_THAT(output, testing::HasSubstr("cavity_radius = 1 um"));
+  EXPECT_THAT(output, testing::HasSubstr("catalog.db"));
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_EQ(simulated, 2);
+  EXPECT_THAT(output, testing::HasSubstr("0 done, 0 failed, 2 reused, 0 left"));
+}
+
+TEST_F(RunVerb, set_changes_the_jobs) {
+  run();
+  options.study.set = {"impact_speed=300 m/s"};
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_EQ(simulated, 4);
+}
+
+TEST_F(RunVerb, a_dry_run_writes_nothing) {
+  options.dry_run = true;
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_FALSE(std::filesystem::exists(options.results));
+  EXPECT_THAT(output, testing::HasSubstr("2 jobs would run"));
+  options.dry_run = false;
+  run();
+  options.dry_run = true;
+  run();
+  EXPECT_THAT(output, testing::HasSubstr("0 jobs would run"));
+  EXPECT_THAT(output, testing::HasSubstr("2 are done"));
+}
+
+TEST_F(RunVerb, failures_end_with_1) {
+  seams.simulate = [](const mpm::Scene&, mpm::Observer&) -> mpm::RunResult {
+    throw std::runtime_error("step 3: J < 0");
+  };
+  EXPECT_EQ(run(), exit_failed);
+  EXPECT_THAT(output, testing::HasSubstr("FAILED: step 3: J < 0"));
+  EXPECT_EQ(finished.size(), 1u);
+}
+
+TEST_F(RunVerb, what_cannot_be_finished_ends_with_1) {
+  bad_figure = true;
+  EXPECT_EQ(run(), exit_failed);
+  EXPECT_THAT(output, testing::HasSubstr("smoke: gnuplot is not there"));
+}
+
+TEST_F(RunVerb, stops_do_not_finish_the_study) {
+  seams.simulate = [](const mpm::Scene& s, mpm::Observer& o) {
+    std::raise(SIGINT);
+    return fakes::simulate(s, o);
+  };
+  options.workers = 1;
+  EXPECT_EQ(run(), exit_interrupted);
+  EXPECT_TRUE(finished.empty());
+}
+
+TEST_F(RunVerb, a_disk_that_refuses_ends_with_75) {
+  seams.write_snapshot = [](const std::filesystem::path&, const mpm::Snapshot&) {
+    throw std::runtime_error("No space left on device");
+  };
+  EXPECT_EQ(run(), exit_stopped);
+  EXPECT_THAT(output, testing::HasSubstr("stopped: No space left on device; run again to go on"));
+}
+
+TEST_F(RunVerb, two_studies_need_two_names) {
+  options.files.push_back(options.files[0]);
+  EXPECT_THROW(run(), StudyError);
+  EXPECT_FALSE(std::filesystem::exists(options.results));
+}
+
+TEST_F(RunVerb, a_bad_study_among_good_ones_writes_nothing) {
+  options.files.push_back((folder.path() / "none.toml").string());
+  EXPECT_THROW(run(), StudyError);
+  EXPECT_FALSE(std::filesystem::exists(options.results));
+}
+
+}  // namespace
+}  // namespace mpmstudy
