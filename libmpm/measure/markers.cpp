@@ -1,22 +1,34 @@
 #include "libmpm/measure/markers.hpp"
 
+#include <algorithm>
+
 #include "libmpm/shape/bspline2.hpp"
 
 namespace mpm {
+namespace {
+
+/// Share of the heaviest node's mass below which a node counts in proportion to its mass.
+constexpr double light = 1e-4;
+
+}  // namespace
 
 void move_markers(std::span<Vec2> markers, const Grid& grid, double dt) {
   for (Vec2& x : markers) {
     const Stencil n = stencil_at<BSpline2>(grid, x, Vec2::Zero());
     if (n.y.first < -1 || n.y.first + 4 > grid.rows())
       continue;  // beyond every particle: nothing to move with
+    double heaviest = 0;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) heaviest = std::max(heaviest, grid.at(n.x.first + i, n.y.first + j).mass);
+    if (heaviest == 0) continue;
     Vec2 velocity = Vec2::Zero();
     double weight = 0;
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) {
         const Node& node = grid.at(n.x.first + i, n.y.first + j);
-        if (node.mass == 0) continue;
-        weight += n.weight(i, j);
-        velocity += n.weight(i, j) * node.velocity;
+        const double w = n.weight(i, j) * std::min(1.0, node.mass / (light * heaviest));
+        weight += w;
+        velocity += w * node.velocity;
       }
     if (weight > 0) x += (dt / weight) * velocity;
   }

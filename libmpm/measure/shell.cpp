@@ -26,13 +26,13 @@ Vec2 lowest(const double* t, const double* y) {
 
 Shell::Shell(const Scene& s, const State&)
     : center_(lattice_of(s).center), times_{0}, radii_{s.inner_radius} {
-  // Four markers a cell, none on a mirror.
+  // Four markers a cell, none on a mirror; those of a quarter are among those of the ring.
   const bool quarter = s.numerics.symmetry == Symmetry::half;
-  const double turn = (quarter ? 0.5 : 2) * std::numbers::pi;
-  const int count =
-      std::max(16, static_cast<int>(std::ceil(4 * turn * s.inner_radius / s.numerics.cell_size)));
-  for (int k = 0; k < count; ++k) {
-    const double angle = (k + 0.5) * turn / count;
+  const double right_angle = std::numbers::pi / 2;
+  const int steps =
+      std::max(16, static_cast<int>(std::ceil(4 * right_angle * s.inner_radius / s.numerics.cell_size)));
+  for (int k = 0; k < (quarter ? steps : 4 * steps); ++k) {
+    const double angle = (k + 0.5) * right_angle / steps;
     markers_.push_back(center_ + s.inner_radius * Vec2(std::cos(angle), std::sin(angle)));
   }
 }

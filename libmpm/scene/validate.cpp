@@ -103,7 +103,9 @@ void check_cavity(const Scene& s, Report& report) {
 
 /// Measured by `mpmstudy bench accuracy` and tests/verification: behind a planar shock one particle a cell
 /// with a domain that tiles leaves the least noise, and the deviator needs a linear viscosity of 1. A
-/// cavity's edge needs more particles, and there the smaller viscosity moves the collapse less.
+/// cavity's edge needs more particles, and there the smaller viscosity moves the collapse less. An imploding
+/// shell hardly compresses, so viscosity only damps the ringing that its start and its stop excite: from 0 to
+/// 1 it moves the stop radius by 0.1 %; with less than 0.5 the ringing is left, with GIMP the edge is rough.
 Numerics default_numerics(SceneKind kind) {
   Numerics n;
   switch (kind) {
