@@ -17,8 +17,11 @@ void join(Node& a, Node& b, int axis) {
   b.acceleration = image(a.acceleration);
 }
 
-/// A node on the mirror: it and its image are one. Its doubled mass, momentum and force keep their ratios.
+/// A node on the mirror: it and its image are one, of twice the mass, momentum and force.
 void stop(Node& n, int axis) {
+  n.mass *= 2;
+  n.velocity *= 2;
+  n.acceleration *= 2;
   n.velocity[axis] = 0;
   n.acceleration[axis] = 0;
 }
