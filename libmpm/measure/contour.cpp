@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "libmpm/shape/bspline2.hpp"
+#include "libmpm/measure/markers.hpp"
 
 namespace mpm {
 namespace {
@@ -43,32 +43,9 @@ Contour::Contour(Vec2 center, double radius, double cell_size, bool half) : half
   }
 }
 
-void Contour::advance(const Grid& grid, double dt) {
-  for (Vec2& x : markers_) {
-    const Stencil n = stencil_at<BSpline2>(grid, x, Vec2::Zero());
-    if (n.y.first < -1 || n.y.first + 4 > grid.rows())
-      continue;  // beyond every particle: nothing to move with
-    Vec2 velocity = Vec2::Zero();
-    double weight = 0;
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) {
-        const Node& node = grid.at(n.x.first + i, n.y.first + j);
-        if (node.mass == 0) continue;
-        weight += n.weight(i, j);
-        velocity += n.weight(i, j) * node.velocity;
-      }
-    if (weight > 0) x += (dt / weight) * velocity;
-  }
-}
+void Contour::advance(const Grid& grid, double dt) { move_markers(markers_, grid, dt); }
 
-RowRange Contour::rows(const Grid& grid) const {
-  const auto [low, high] = std::minmax_element(markers_.begin(), markers_.end(),
-                                               [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
-  const auto row = [&](const Vec2& x) {
-    return nearest_node((x.y() - grid.origin().y()) * grid.inverse_cell().y());
-  };
-  return {row(*low) - 1, row(*high) + 1};
-}
+RowRange Contour::rows(const Grid& grid) const { return rows_of(markers_, grid); }
 
 std::vector<Vec2> Contour::closed() const {
   std::vector<Vec2> all = markers_;

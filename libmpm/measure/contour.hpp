@@ -13,8 +13,7 @@ class Contour {
   /// Four markers a cell along the circle. Their polygon has the circle's area exactly.
   Contour(Vec2 center, double radius, double cell_size, bool half);
 
-  /// x += dt v, with v = sum w v_i / sum w over the nodes that carry mass (quadratic B-spline weights).
-  /// Normalised, since a marker stands at the edge of the material, where some nodes are empty.
+  /// See move_markers.
   void advance(const Grid&, double dt);
   /// Rows of nodes that advance reads.
   RowRange rows(const Grid&) const;

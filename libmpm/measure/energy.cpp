@@ -23,7 +23,10 @@ Vec2 momentum_of(const Particles& ps) {
 Balance::Balance(const State& s)
     : initial_energy_(energy_of(s.particles).total()),
       initial_momentum_(momentum_of(s.particles)),
-      momentum_scale_(initial_momentum_.norm()) {}
+      momentum_scale_(0) {
+  const Particles& ps = s.particles;
+  for (std::size_t p = 0; p < ps.size(); ++p) momentum_scale_ += ps.mass[p] * ps.velocity[p].norm();
+}
 
 void Balance::after_step(const State&, const StepReport& report, double) {
   impulse_ += report.wall_impulse;

@@ -107,8 +107,11 @@ RunResult run(const Scene& scene, Observer& observer) {
   // Before the first step nothing is stressed: the fastest signal is that of the impact, with its viscosity.
   const double sound = std::sqrt(material.eos.sound_speed_squared(MieGrueneisen::Volume(0), 0) +
                                  4 * material.strength.shear_modulus / (3 * material.eos.rho0));
-  double signal = 3 * (sound + scene.impact_speed);
-  while (state.time < scene.end_time) {
+  double signal = 3 * (sound + initial_speed(scene));
+  const auto decided = [&] {
+    return std::any_of(measurements.begin(), measurements.end(), [](const auto& m) { return m->decided(); });
+  };
+  while (state.time < scene.end_time && !decided()) {
     // Equal steps up to the next event, so that it is hit exactly and no step is tiny.
     const double limit = scene.numerics.cfl * cell / signal;
     const double due = schedule.next();
@@ -139,6 +142,9 @@ RunResult run(const Scene& scene, Observer& observer) {
       return result;
     }
   }
+  stepper->refresh_particles(state);
+  if (state.time < scene.end_time)
+    for (const auto& m : measurements) m->sample(state);
   for (const auto& m : measurements) m->finish(state, result);
   balance.finish(state, result);
   return result;

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "libmpm/boundary/mirror.hpp"
 #include "libmpm/core/grid.hpp"
 #include "libmpm/core/particles.hpp"
 #include "libmpm/material/artificial_viscosity.hpp"
@@ -34,6 +35,7 @@ struct State {
   std::vector<Mat2> velocity_gradient;  ///< of each particle, over the last step [1/s]
   double time = 0;                      ///< [s]
   std::int64_t step = 0;
+  Floor floor = Floor::impact_wall;  ///< what y = origin of the grid is
 };
 
 }  // namespace mpm

@@ -36,8 +36,9 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt) {
   p2g<Shape>(state.particles, grid);
   for (Node& n : grid.nodes()) n.own_mass = n.mass;
   reflect_sides(grid, top);
+  if (state.floor == Floor::mirror) reflect_floor(grid);
   update_grid(grid, dt);
-  apply_impact_wall(grid, dt);
+  if (state.floor == Floor::impact_wall) apply_impact_wall(grid, dt);
   report.wall_impulse = wall_impulse(grid, dt);
   report.transfer_heat = g2p<Shape>(state.particles, grid, dt, state.velocity_gradient);
   update_stress(state, model, dt, report);

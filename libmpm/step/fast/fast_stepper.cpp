@@ -69,8 +69,9 @@ StepReport FastStepper::step(State& state, double dt) {
   if (!blocks_) begin(state);
   std::swap(now_, next_);
   now_->reflect_sides();
+  if (state.floor == Floor::mirror) now_->reflect_floor();
   kernels_.move(now_->nodes(), now_->first_row(), now_->last_row(), dt);
-  now_->push_off_wall();
+  if (state.floor == Floor::impact_wall) now_->push_off_wall();
   if (++since_sort_ >= steps_between_sorts) {
     blocks_->sort(now_->nodes().stride);
     since_sort_ = 0;
