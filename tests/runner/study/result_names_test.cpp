@@ -32,7 +32,7 @@ scene = "planar-impact"
 [parameters]
 material = "aluminium"
 impact_speed = "200 m/s"
-block_width = "0.8 um"
+block_width = "1.6 um"
 block_height = "8 um"
 end_time = "3 ns"
 [numerics]
