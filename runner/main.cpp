@@ -11,6 +11,7 @@
 #include "libmpm/io/vtkhdf.hpp"
 #include "libmpm/simulation.hpp"
 #include "runner/catalog/catalog_error.hpp"
+#include "runner/cli/bench.hpp"
 #include "runner/cli/check.hpp"
 #include "runner/cli/cli.hpp"
 #include "runner/cli/export.hpp"
@@ -34,6 +35,7 @@ void setup_verbs(CLI::App& app) {
   mpmstudy::setup_query(app);
   mpmstudy::setup_export(app);
   mpmstudy::setup_figures(app);
+  mpmstudy::setup_bench(app);
 }
 
 int run(CLI::App& app, int argc, char** argv) {

@@ -54,6 +54,33 @@ std::vector<Vec2> Contour::closed() const {
   return all;
 }
 
+namespace {
+
+/// > 0 if c lies to the left of the line from a to b.
+double side(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  if (std::max(a.x(), b.x()) < std::min(c.x(), d.x()) || std::max(c.x(), d.x()) < std::min(a.x(), b.x()) ||
+      std::max(a.y(), b.y()) < std::min(c.y(), d.y()) || std::max(c.y(), d.y()) < std::min(a.y(), b.y()))
+    return false;
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+}  // namespace
+
+bool Contour::crosses_itself() const {
+  const std::size_t count = markers_.size();
+  const std::size_t pieces = half_ ? count - 1 : count;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    if (half_ && markers_[i].x() < 0) return true;  // through its own image
+    for (std::size_t k = i + 2; k < pieces; ++k)
+      if (cross(markers_[i], markers_[i + 1], markers_[k], markers_[(k + 1) % count])) return true;
+  }
+  return false;
+}
+
 double Contour::area() const { return 0.5 * moments(closed()).area2; }
 
 double Contour::width() const {

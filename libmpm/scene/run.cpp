@@ -18,12 +18,17 @@ class Schedule {
  public:
   explicit Schedule(const Scene& s) : scene_(s) {}
 
-  double next() const { return std::min({next_sample(), next_snapshot(), scene_.end_time}); }
+  double next() const {
+    const double next = std::min(next_sample(), next_snapshot());
+    return next < scene_.end_time - slack() ? next : scene_.end_time;
+  }
   /// True if due at time t; moves on.
-  bool sample_due(double t) { return t >= next_sample() && (++samples_, true); }
-  bool snapshot_due(double t) { return t >= next_snapshot() && (++snapshots_, true); }
+  bool sample_due(double t) { return t >= next_sample() - slack() && (++samples_, true); }
+  bool snapshot_due(double t) { return t >= next_snapshot() - slack() && (++snapshots_, true); }
 
  private:
+  /// Events that rounding sets apart (0.7 ns, and 7 times 0.1 ns) are one.
+  double slack() const { return 1e-9 * scene_.measures.area_every; }
   double next_sample() const { return samples_ * scene_.measures.area_every; }
   double next_snapshot() const {
     const auto& times = scene_.measures.snapshots;
@@ -49,7 +54,7 @@ std::string breakdown(const State& state, const StepReport& report, const Limits
   constexpr double most_overpressed = 0.01;
   std::ostringstream text;
   if (!std::isfinite(report.largest_signal))
-    text << "a particle's state is not finite";
+    text << "a particle's state is not finite, or a particle left the grid";
   else if (report.smallest_dilation < lowest || report.largest_dilation > highest)
     text << "density left its range: rho0/rho from " << 1 + report.smallest_dilation << " to "
          << 1 + report.largest_dilation << ", allowed " << 1 + lowest << " to " << 1 + highest;

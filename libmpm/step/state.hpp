@@ -20,7 +20,9 @@ struct MaterialModel {
 
 /// Sums over the particles after a step.
 struct StepReport {
-  double largest_signal = 0;  ///< fastest signal against the grid, sound + viscosity + motion [m/s]
+  /// Fastest signal against the grid, sound + viscosity + motion [m/s]; NaN if a particle's state is not
+  /// finite or a particle is outside the grid.
+  double largest_signal = 0;
   double smallest_dilation = 0, largest_dilation = 0;  ///< J - 1 [1]
   double overpressed_mass = 0;  ///< of particles beyond the range of the equation of state [kg/m]
   double transfer_heat = 0;     ///< kinetic energy that the transfer took and left as heat in this step [J/m]

@@ -9,8 +9,8 @@ namespace mpm {
 ///   P = A(mu) (1 - gamma mu/2) + gamma0 rho0 e,   A = C mu + D mu^2 + S mu^3      [Pa]
 ///   C = rho0 c0^2, D = C (2 lambda - 1), S = C (lambda - 1)(3 lambda - 1), gamma rho = gamma0 rho0.
 /// Since gamma mu = gamma0 eta with eta = 1 - rho0/rho = -(J - 1), and A is the pressure on the Hugoniot
-/// exactly. Source: [Xu2007, eq. 13]. Valid up to 270 GPa. Tension: see mpm::Tension. Checked by
-/// tests/libmpm/material/.
+/// exactly. Source: [Xu2007, eq. 13]. Valid up to Material::pressure_limit. Tension: see mpm::Tension.
+/// Checked by tests/libmpm/material_test.cpp.
 struct MieGrueneisen {
   double rho0;          ///< [kg/m^3]
   double inverse_rho0;  ///< [m^3/kg]
