@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 
@@ -121,12 +122,37 @@ std::string xy_clauses(const Plot& plot, bool several) {
   return clauses;
 }
 
+/// With few points to spare a band is many times as wide as the data: the axis follows points and curve, and
+/// a band that is wider is cut off.
+std::string range_of_points(const Plot& plot, const DisplayUnit& y) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const auto include = [&](double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  };
+  for (const Series& s : plot.series)
+    for (std::size_t i = 0; i < s.y.size(); ++i) {
+      const double error = s.y_error.empty() || !std::isfinite(s.y_error[i]) ? 0 : s.y_error[i];
+      include(s.y[i] - error);
+      include(s.y[i] + error);
+    }
+  for (int i = 0; i <= fit_samples; ++i)
+    include((*plot.fit)(plot.fit->x_min + (plot.fit->x_max - plot.fit->x_min) * i / fit_samples));
+  const double margin = 0.15 * (high - low);
+  if (!(margin > 0)) return {};
+  return fmt::format("set yrange [{:.9g}:{:.9g}]\n", (low - margin) * y.factor, (high + margin) * y.factor);
+}
+
 /// Room around the data so that no point lies on the frame.
-std::string ranges(const Plot& plot) {
+std::string ranges(const Plot& plot, const DisplayUnit& y) {
   std::string text = plot.kind == Plot::Kind::history
                          ? "set offsets 0, 0, graph 0.05, graph 0.02\n"
                          : "set offsets graph 0.04, graph 0.04, graph 0.06, graph 0.06\n";
-  if (plot.y_from_zero) text += "set yrange [0:*]\n";
+  if (plot.y_from_zero)
+    text += "set yrange [0:*]\n";
+  else if (plot.fit && plot.fit->ok() && !plot.fit->standard_errors.empty())
+    text += range_of_points(plot, y);
   return text;
 }
 
@@ -177,7 +203,7 @@ std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y)
     text += fmt::format(
         "set key at screen 0.535, screen {} center center horizontal Left reverse samplen 2\n", top + 0.04);
   }
-  text += ranges(plot);
+  text += ranges(plot, y);
   std::string clauses =
       history ? history_clauses(plot) : xy_clauses(plot, plot.series.size() > 1 && !plot.fit);
   clauses.resize(clauses.size() - 2);

@@ -27,7 +27,7 @@ struct Raster {
 /// `overlap`, covers it (stretched material shows no gaps, open cavities stay open). With `mirrored`, each
 /// particle is drawn at -x as well. Non-finite particles are left out. Independent of the order of particles,
 /// ties aside.
-Raster rasterise(const Particles&, bool mirrored, const Window&, int columns, int rows, double overlap = 1.4);
+Raster rasterise(const Particles&, bool mirrored, const Window&, int columns, int rows, double overlap = 2.2);
 
 /// Where nearly all particles of these snapshots are (all but one in a thousand at each side), with a margin.
 Window window_of(const std::vector<const Particles*>&, bool mirrored);

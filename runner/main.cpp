@@ -2,12 +2,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 
 #include "libmpm/io/vtkhdf.hpp"
 #include "libmpm/simulation.hpp"
 #include "runner/catalog/catalog_error.hpp"
+#include "runner/cli/bench.hpp"
 #include "runner/cli/check.hpp"
 #include "runner/cli/cli.hpp"
 #include "runner/cli/export.hpp"
@@ -26,12 +30,12 @@ void setup_verbs(CLI::App& app) {
   mpmstudy::setup_plan(app);
   mpmstudy::setup_run(
       app, {[](const mpm::Scene& scene, mpm::Observer& observer) { return mpm::run(scene, observer); },
-            mpm::write_vtkhdf,
-            mpmstudy::finish_study});
+            mpm::write_vtkhdf, mpmstudy::finish_study});
   mpmstudy::setup_status(app);
   mpmstudy::setup_query(app);
   mpmstudy::setup_export(app);
   mpmstudy::setup_figures(app);
+  mpmstudy::setup_bench(app);
 }
 
 int run(CLI::App& app, int argc, char** argv) {
@@ -55,6 +59,20 @@ int run(CLI::App& app, int argc, char** argv) {
   return mpmstudy::exit_usage;
 }
 
+/// Output that is lost is a failure, also when all went well until then (`mpmstudy query ... > file` on a
+/// full disk). Verbs write without looking; the streams remember, and are asked here once. std::cout writes
+/// through stdio, so it goes first.
+int check_output(int exit_code) {
+  errno = 0;
+  const bool streamed = static_cast<bool>(std::cout.flush());
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (streamed && written) return exit_code;
+  const int error = errno;
+  fmt::print(stderr, "mpmstudy: standard output could not be written{}\n",
+             error != 0 ? fmt::format(" ({})", std::strerror(error)) : "");
+  return exit_code == mpmstudy::exit_ok ? mpmstudy::exit_failed : exit_code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,5 +81,5 @@ int main(int argc, char** argv) {
       "--version", fmt::format("mpmstudy {}, physics version {}", MPMSTUDY_VERSION, mpm::physics_version));
   app.require_subcommand(0, 1);
   setup_verbs(app);
-  return run(app, argc, argv);
+  return check_output(run(app, argc, argv));
 }

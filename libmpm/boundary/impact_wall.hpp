@@ -13,8 +13,9 @@ namespace mpm {
 /// contact takes from the motion,
 ///   - dv . (v - dt a / 2)   per mass, v and a those after the contact,
 /// is left as heat at the nodes (contact_heat), so that the sum of kinetic and internal energy is kept.
-/// Source: two bodies in one grid, Bardenhagen, Brackbill, Sulsky 2000, Comput. Methods Appl. Mech. Engng
-/// 187, 529, with the second body the image of the first. Call after update_grid. Checked by
+/// A body that comes back is felt from a distance of about a cell on, since that is how far shape functions
+/// reach. Source: two bodies in one grid, Bardenhagen, Brackbill, Sulsky 2000, Comput. Methods Appl. Mech.
+/// Engng 187, 529, with the second body the image of the first. Call after update_grid. Checked by
 /// tests/libmpm/step_test.cpp and tests/verification/.
 void apply_impact_wall(Grid&, double dt);
 

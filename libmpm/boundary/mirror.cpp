@@ -3,10 +3,12 @@
 namespace mpm {
 namespace {
 
-Vec2 image(const Vec2& v) { return {-v.x(), v.y()}; }
-
-/// Adds to each of two nodes the image of the other.
-void join(Node& a, Node& b) {
+/// Adds to each of two nodes the image of the other. Axis: 0 for a mirror across x, 1 across y.
+void join(Node& a, Node& b, int axis) {
+  const auto image = [axis](Vec2 v) {
+    v[axis] = -v[axis];
+    return v;
+  };
   a.mass += b.mass;
   a.velocity += image(b.velocity);
   a.acceleration += image(b.acceleration);
@@ -15,10 +17,13 @@ void join(Node& a, Node& b) {
   b.acceleration = image(a.acceleration);
 }
 
-/// A node on the mirror: it and its image are one. Its doubled mass, momentum and force keep their ratios.
-void stop(Node& n) {
-  n.velocity.x() = 0;
-  n.acceleration.x() = 0;
+/// A node on the mirror: it and its image are one, of twice the mass, momentum and force.
+void stop(Node& n, int axis) {
+  n.mass *= 2;
+  n.velocity *= 2;
+  n.acceleration *= 2;
+  n.velocity[axis] = 0;
+  n.acceleration[axis] = 0;
 }
 
 }  // namespace
@@ -26,10 +31,17 @@ void stop(Node& n) {
 void reflect_sides(Grid& grid, int top_row) {
   const int right = grid.columns();
   for (int j = -1; j <= top_row; ++j) {
-    stop(grid.at(0, j));
-    join(grid.at(1, j), grid.at(-1, j));
-    stop(grid.at(right, j));
-    join(grid.at(right - 1, j), grid.at(right + 1, j));
+    stop(grid.at(0, j), 0);
+    join(grid.at(1, j), grid.at(-1, j), 0);
+    stop(grid.at(right, j), 0);
+    join(grid.at(right - 1, j), grid.at(right + 1, j), 0);
+  }
+}
+
+void reflect_floor(Grid& grid) {
+  for (int i = -1; i <= grid.columns() + 1; ++i) {
+    stop(grid.at(i, 0), 1);
+    join(grid.at(i, 1), grid.at(i, -1), 1);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Side walls as mirrors. What lies behind a mirror is the image of the body: nodes behind it hold the image
-/// of those before it, and shape functions keep partition of unity and linear reproduction up to the wall.
+/// Walls as mirrors. What lies behind a mirror is the image of the body: nodes behind it hold the image of
+/// those before it, and shape functions keep partition of unity and linear reproduction up to the wall.
 #include "libmpm/core/grid.hpp"
 
 namespace mpm {
@@ -8,5 +8,14 @@ namespace mpm {
 /// Rigid, frictionless, two-sided mirrors at x = origin and x = origin + width: a periodic row of images.
 /// Call after p2g, before forces become accelerations. Normal momentum and force on the wall's nodes vanish.
 void reflect_sides(Grid&, int top_row);
+
+/// What the line y = origin is.
+enum class Floor {
+  impact_wall,  ///< rigid, frictionless, one-sided: see impact_wall.hpp
+  mirror        ///< two-sided: what lies below is the image of what lies above
+};
+
+/// A mirror at y = origin. Call after reflect_sides.
+void reflect_floor(Grid&);
 
 }  // namespace mpm

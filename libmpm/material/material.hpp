@@ -34,7 +34,7 @@ struct Material {
   double gruneisen_gamma = 0;      ///< gamma0 [1]; gamma rho = gamma0 rho0
   double specific_heat = 0;        ///< c_v [J/kg/K]
   double initial_temperature = 0;  ///< T0 [K]
-  double pressure_limit = 0;       ///< the equation of state is valid below; a run that passes it fails [Pa]
+  double pressure_limit = 0;       ///< upper end of the validity of the equation of state [Pa]
   Tension tension = Tension::polynomial;
   double spall_strength = 0;  ///< [Pa], positive; used by Tension::cutoff only
 

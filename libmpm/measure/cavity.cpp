@@ -32,22 +32,26 @@ void Cavity::sample(const State& s) {
   const AreaSample now{s.time, contour_.area(), void_.update(s)};
   if (now.void_area == 0 && closed_time_ < 0) closed_time_ = s.time;
   if (void_.joined_outside() && joined_time_ < 0) joined_time_ = s.time;
+  if (crossed_time_ < 0 && contour_.crosses_itself()) crossed_time_ = s.time;
   history_.push_back(now);
   observer_.on_area(now);
 }
 
 void Cavity::finish(const State& s, RunResult& result) {
   const double start = (1 - window) * s.time;
+  const auto area_of = [this](const AreaSample& a) {
+    return crossed_time_ >= 0 && a.time >= crossed_time_ ? a.void_area : a.area;
+  };
   double count = 0, sum = 0, sum_of_squares = 0, difference = 0;
   for (const AreaSample& a : history_) {
     if (a.time < start) continue;
     ++count;
-    sum += a.area;
+    sum += area_of(a);
     difference += a.void_area - a.area;
   }
   const double final_area = sum / count;
   for (const AreaSample& a : history_)
-    if (a.time >= start) sum_of_squares += (a.area - final_area) * (a.area - final_area);
+    if (a.time >= start) sum_of_squares += (area_of(a) - final_area) * (area_of(a) - final_area);
   const double error = std::hypot(std::sqrt(sum_of_squares / count), difference / count);
   const double initial_area = history_.front().area;
 
@@ -59,12 +63,16 @@ void Cavity::finish(const State& s, RunResult& result) {
   result.outcome = history_.back().void_area == 0 ? "collapsed" : "partial";
 
   auto& m = result.metrics;
-  m.push_back({"aspect_ratio", contour_.width() / contour_.height(), "1", {}});
-  m.push_back({"lower_upper_area_ratio", contour_.lower_upper_ratio(), "1", {}});
-  m.push_back({"centroid_shift_m",
-               contour_.centroid().y() - center_of_mass_height(s.particles) - initial_offset_,
-               "m",
-               {}});
+  if (crossed_time_ < 0) {
+    m.push_back({"aspect_ratio", contour_.width() / contour_.height(), "1", {}});
+    m.push_back({"lower_upper_area_ratio", contour_.lower_upper_ratio(), "1", {}});
+    m.push_back({"centroid_shift_m",
+                 contour_.centroid().y() - center_of_mass_height(s.particles) - initial_offset_,
+                 "m",
+                 {}});
+  } else {
+    m.push_back({"contour_crossed_time_s", crossed_time_, "s", {}});
+  }
   m.push_back({"final_void_area_m2", history_.back().void_area, "m2", {}});
   if (closed_time_ >= 0) m.push_back({"cavity_closed_time_s", closed_time_, "s", {}});
   if (joined_time_ >= 0) m.push_back({"cavity_joined_outside_time_s", joined_time_, "s", {}});

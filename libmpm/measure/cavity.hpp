@@ -7,11 +7,13 @@ namespace mpm {
 
 /// The cavity: its area by contour and by void, its form, and how much of it is left.
 ///
-/// Final area: mean of the contour's area over the last quarter of the run. Its error: the scatter over that
-/// window (standard deviation) and the mean difference between the two areas, in quadrature. Outcome:
-/// `collapsed` if the void is gone at the end, else `partial`. Metrics: aspect_ratio (width / height),
-/// lower_upper_area_ratio, centroid_shift_m (along the impact, against the body's centre of mass),
-/// cavity_closed_time_s, cavity_joined_outside_time_s (each only if it happened), final_void_area_m2.
+/// Final area: mean of the contour's area over the last quarter of the run; of the void's, once the contour
+/// has crossed itself. Its error: the scatter over that window (standard deviation) and the mean difference
+/// between the two areas, in quadrature. Outcome: `collapsed` if the void is gone at the end, else `partial`.
+/// A void that opens again elsewhere after it was gone is not followed. Metrics: aspect_ratio (width /
+/// height), lower_upper_area_ratio, centroid_shift_m (along the impact, against the body's centre of mass),
+/// all three only for a contour that has not crossed itself; cavity_closed_time_s,
+/// cavity_joined_outside_time_s, contour_crossed_time_s, each only if it happened; final_void_area_m2.
 class Cavity : public Measurement {
  public:
   Cavity(const Scene&, const State&, Observer&);
@@ -26,7 +28,7 @@ class Cavity : public Measurement {
   VoidArea void_;
   std::vector<AreaSample> history_;
   double initial_offset_;  ///< centroid above the centre of mass [m]
-  double closed_time_ = -1, joined_time_ = -1;
+  double closed_time_ = -1, joined_time_ = -1, crossed_time_ = -1;
 };
 
 }  // namespace mpm

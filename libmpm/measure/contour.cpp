@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "libmpm/shape/bspline2.hpp"
+#include "libmpm/measure/markers.hpp"
 
 namespace mpm {
 namespace {
@@ -43,38 +43,42 @@ Contour::Contour(Vec2 center, double radius, double cell_size, bool half) : half
   }
 }
 
-void Contour::advance(const Grid& grid, double dt) {
-  for (Vec2& x : markers_) {
-    const Stencil n = stencil_at<BSpline2>(grid, x, Vec2::Zero());
-    if (n.y.first < -1 || n.y.first + 4 > grid.rows())
-      continue;  // beyond every particle: nothing to move with
-    Vec2 velocity = Vec2::Zero();
-    double weight = 0;
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) {
-        const Node& node = grid.at(n.x.first + i, n.y.first + j);
-        if (node.mass == 0) continue;
-        weight += n.weight(i, j);
-        velocity += n.weight(i, j) * node.velocity;
-      }
-    if (weight > 0) x += (dt / weight) * velocity;
-  }
-}
+void Contour::advance(const Grid& grid, double dt) { move_markers(markers_, grid, dt); }
 
-RowRange Contour::rows(const Grid& grid) const {
-  const auto [low, high] = std::minmax_element(markers_.begin(), markers_.end(),
-                                               [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
-  const auto row = [&](const Vec2& x) {
-    return nearest_node((x.y() - grid.origin().y()) * grid.inverse_cell().y());
-  };
-  return {row(*low) - 1, row(*high) + 1};
-}
+RowRange Contour::rows(const Grid& grid) const { return rows_of(markers_, grid); }
 
 std::vector<Vec2> Contour::closed() const {
   std::vector<Vec2> all = markers_;
   if (half_)
     for (std::size_t k = markers_.size() - 2; k > 0; --k) all.emplace_back(-markers_[k].x(), markers_[k].y());
   return all;
+}
+
+namespace {
+
+/// > 0 if c lies to the left of the line from a to b.
+double side(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  if (std::max(a.x(), b.x()) < std::min(c.x(), d.x()) || std::max(c.x(), d.x()) < std::min(a.x(), b.x()) ||
+      std::max(a.y(), b.y()) < std::min(c.y(), d.y()) || std::max(c.y(), d.y()) < std::min(a.y(), b.y()))
+    return false;
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+}  // namespace
+
+bool Contour::crosses_itself() const {
+  const std::size_t count = markers_.size();
+  const std::size_t pieces = half_ ? count - 1 : count;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    if (half_ && markers_[i].x() < 0) return true;  // through its own image
+    for (std::size_t k = i + 2; k < pieces; ++k)
+      if (cross(markers_[i], markers_[i + 1], markers_[k], markers_[(k + 1) % count])) return true;
+  }
+  return false;
 }
 
 double Contour::area() const { return 0.5 * moments(closed()).area2; }

@@ -13,20 +13,20 @@ class Contour {
   /// Four markers a cell along the circle. Their polygon has the circle's area exactly.
   Contour(Vec2 center, double radius, double cell_size, bool half);
 
-  /// x += dt v, with v = sum w v_i / sum w over the nodes that carry mass (quadratic B-spline weights).
-  /// Normalised, since a marker stands at the edge of the material, where some nodes are empty.
+  /// See move_markers.
   void advance(const Grid&, double dt);
   /// Rows of nodes that advance reads.
   RowRange rows(const Grid&) const;
 
+  /// True once the curve has crossed itself (a jet has met the far side): its area means nothing from then
+  /// on.
+  bool crosses_itself() const;
   double area() const;    ///< of the whole cavity [m^2], positive while the curve keeps its sense
   double width() const;   ///< [m]
   double height() const;  ///< [m]
   Vec2 centroid() const;  ///< of the enclosed area [m]
   /// Area below over area above the chord between the two markers that started at the height of the centre.
   double lower_upper_ratio() const;
-
-  const std::vector<Vec2>& markers() const { return markers_; }
 
  private:
   std::vector<Vec2> closed() const;  ///< all markers of the whole curve, counter-clockwise

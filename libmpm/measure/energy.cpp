@@ -23,11 +23,15 @@ Vec2 momentum_of(const Particles& ps) {
 Balance::Balance(const State& s)
     : initial_energy_(energy_of(s.particles).total()),
       initial_momentum_(momentum_of(s.particles)),
-      momentum_scale_(initial_momentum_.norm()) {}
+      momentum_scale_(0) {
+  const Particles& ps = s.particles;
+  for (std::size_t p = 0; p < ps.size(); ++p) momentum_scale_ += ps.mass[p] * ps.velocity[p].norm();
+}
 
 void Balance::after_step(const State&, const StepReport& report, double) {
   impulse_ += report.wall_impulse;
   transfer_heat_ += report.transfer_heat;
+  overpressed_mass_ = std::max(overpressed_mass_, report.overpressed_mass);
 }
 
 void Balance::sample(const State& s) {
@@ -46,6 +50,9 @@ void Balance::finish(const State& s, RunResult& result) {
   result.metrics.push_back({"transfer_heat_fraction", transfer_heat_ / initial_energy_, "1", {}});
   result.metrics.push_back(
       {"final_kinetic_fraction", energy_of(s.particles).kinetic / initial_energy_, "1", {}});
+  double mass = 0;
+  for (const double m : s.particles.mass) mass += m;
+  result.metrics.push_back({"overpressed_mass_fraction", overpressed_mass_ / mass, "1", {}});
 }
 
 }  // namespace mpm

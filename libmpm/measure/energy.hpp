@@ -14,9 +14,11 @@ Energy energy_of(const Particles&);
 Vec2 momentum_of(const Particles&);
 
 /// Balance of energy and momentum. Walls at rest do no work, so kinetic + internal energy is constant;
-/// momentum changes by the walls' impulse. Errors are relative to what the body had at the start, and the
-/// largest of the run. Metrics: energy_error, momentum_error, transfer_heat_fraction (kinetic energy that the
-/// transfer turned into heat, over the initial energy), final_kinetic_fraction.
+/// momentum changes by the walls' impulse. Errors are relative to what the body had at the start (momentum:
+/// the sum of m |v|, since that of m v may vanish), and the largest of the run. Metrics: energy_error,
+/// momentum_error, transfer_heat_fraction (kinetic energy that the transfer turned into heat, over the
+/// initial energy), final_kinetic_fraction, overpressed_mass_fraction (largest share of the mass that was
+/// beyond the range of the equation of state at one time).
 class Balance : public Measurement {
  public:
   explicit Balance(const State&);
@@ -33,6 +35,7 @@ class Balance : public Measurement {
   Vec2 impulse_ = Vec2::Zero();
   double transfer_heat_ = 0;
   double energy_error_ = 0, momentum_error_ = 0;
+  double overpressed_mass_ = 0;
 };
 
 }  // namespace mpm

@@ -8,7 +8,7 @@
 namespace mpm {
 
 /// One observable. Sees the state; changes nothing. Calls come in this order:
-///   after_step (every step), sample (every area_every and at the end), finish (once).
+///   after_step (every step), decided, sample (every area_every and at the end), finish (once).
 class Measurement {
  public:
   virtual ~Measurement() = default;
@@ -19,6 +19,8 @@ class Measurement {
   virtual std::span<const std::size_t> watched() const { return {}; }
   /// Rows of nodes that after_step reads.
   virtual RowRange rows_read(const Grid&) const { return {}; }
+  /// True once nothing that is still to come can change what is measured: the run ends here.
+  virtual bool decided() const { return false; }
   virtual void sample(const State&) {}
   virtual void finish(const State&, RunResult&) = 0;
 };

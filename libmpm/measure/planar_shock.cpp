@@ -81,6 +81,32 @@ double PlanarShock::front_speed(double stress) const {
   return heights.size() < 2 ? 0 : 1 / slope(heights, arrivals);
 }
 
+double PlanarShock::stress_at(std::size_t gauge, double time) const {
+  const auto after = std::upper_bound(times_.begin() + 1, times_.end() - 1, time);
+  const auto k = static_cast<std::size_t>(after - times_.begin());
+  const double left = readings_[(k - 1) * gauges_.size() + gauge].normal_stress;
+  const double right = readings_[k * gauges_.size() + gauge].normal_stress;
+  return left + (right - left) * (time - times_[k - 1]) / (times_[k] - times_[k - 1]);
+}
+
+double PlanarShock::stress_between(double elastic_level, double plastic_level) const {
+  constexpr int parts = 40, width = 4;
+  double sum = 0, count = 0;
+  for (std::size_t g = first_gauge_above(0.7 * height_); g < first_gauge_above(0.8 * height_); ++g) {
+    const double first = arrival(g, elastic_level), second = arrival(g, plastic_level);
+    if (first < 0 || second < 0) return 0;
+    double least = plastic_level, flattest = 0;
+    for (int k = 0; k + width <= parts; ++k) {
+      const double from = stress_at(g, first + (second - first) * k / parts);
+      const double to = stress_at(g, first + (second - first) * (k + width) / parts);
+      if (to - from < least) least = to - from, flattest = 0.5 * (from + to);
+    }
+    sum += flattest;
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 void PlanarShock::finish(const State&, RunResult& result) {
   if (times_.size() < 2) return;
   const std::size_t low = first_gauge_above(0.15 * height_), high = first_gauge_above(0.45 * height_),
@@ -129,8 +155,13 @@ void PlanarShock::finish(const State&, RunResult& result) {
 
   const double plastic = front_speed(level);
   if (plastic > 0) add("plastic_wave_speed_m_s", plastic, "m/s");
-  const double elastic = front_speed(0.5 * std::min(elastic_limit_, mean.normal_stress));
-  if (elastic > 0 && plastic < elastic_speed_) add("elastic_wave_speed_m_s", elastic, "m/s");
+  const double elastic_level = 0.5 * std::min(elastic_limit_, mean.normal_stress);
+  const double elastic = front_speed(elastic_level);
+  if (elastic > 0 && plastic < elastic_speed_) {
+    add("elastic_wave_speed_m_s", elastic, "m/s");
+    const double limit = stress_between(elastic_level, level);
+    if (limit > 0 && mean.normal_stress > elastic_limit_) add("elastic_limit_stress_Pa", limit, "Pa");
+  }
 
   if (plastic > 0) {
     const double transit = height_ / plastic;

@@ -27,7 +27,7 @@ Indicator indicator_of(const State&, int points_per_particle);
 /// leave steps in phi along the edge.
 class VoidArea {
  public:
-  /// Throws nothing. `full_width`: the whole block is modelled, not half of it.
+  /// `full_width`: the whole block is modelled, not half of it.
   VoidArea(Vec2 center, double radius, bool full_width, int particles_per_cell);
 
   /// Follows the region and returns its area [m^2]; 0 once it is gone.

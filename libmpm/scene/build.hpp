@@ -4,21 +4,25 @@
 
 namespace mpm {
 
-/// How the modelled part of the block is cut into cells. Cells are stretched by less than half a cell in all
-/// so that walls and free surface lie on nodes.
+/// How the modelled part of the scene is cut into cells. Those of a block are stretched by less than half a
+/// cell in all so that walls and free surface lie on nodes. A shell stands in a square with two cells to
+/// spare, so that neither the right mirror nor, where all of it is modelled, the impact wall ever feels it.
 struct Lattice {
   Vec2 origin;   ///< lower left corner of the modelled part [m]
   Vec2 cell;     ///< (hx, hy) [m]
+  Vec2 center;   ///< of the cavity or of the shell [m]
   double width;  ///< of the modelled part [m]
   int columns;   ///< cells across
-  int rows;      ///< cells of the block, upwards
+  int rows;      ///< cells upwards
 };
 Lattice lattice_of(const Scene&);
 
-/// The body at time 0: particles on a square lattice, moving at -impact_speed. A particle whose share of the
-/// lattice the cavity cuts gets the mass and the centroid of what is left; shares below a twentieth are
-/// dropped.
+/// The body at time 0: particles on a square lattice, moving as the kind of scene says. A particle whose
+/// share of the lattice a circle cuts gets the mass and the centroid of what is left; shares below a
+/// twentieth are dropped.
 State build_state(const Scene&);
 MaterialModel build_material(const Scene&);
+/// Of the fastest part of the body [m/s].
+double initial_speed(const Scene&);
 
 }  // namespace mpm

@@ -5,6 +5,7 @@
 #include "libmpm/measure/cavity.hpp"
 #include "libmpm/measure/hot_spots.hpp"
 #include "libmpm/measure/planar_shock.hpp"
+#include "libmpm/measure/shell.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/shape/bspline2.hpp"
 #include "libmpm/shape/gimp.hpp"
@@ -51,6 +52,7 @@ std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene& s, const
   std::vector<std::unique_ptr<Measurement>> all;
   if (s.kind == SceneKind::cavity_impact) all.push_back(std::make_unique<Cavity>(s, state, observer));
   if (s.kind == SceneKind::planar_impact) all.push_back(std::make_unique<PlanarShock>(s, state));
+  if (s.kind == SceneKind::imploding_shell) all.push_back(std::make_unique<Shell>(s, state));
   all.push_back(std::make_unique<HotSpots>(
       Temperature{MieGrueneisen(s.material), s.material.specific_heat, s.material.initial_temperature}));
   return all;

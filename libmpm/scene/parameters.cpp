@@ -6,7 +6,9 @@ namespace mpm {
 namespace {
 
 bool every(SceneKind) { return true; }
+bool block(SceneKind k) { return k != SceneKind::imploding_shell; }
 bool cavity(SceneKind k) { return k == SceneKind::cavity_impact; }
+bool shell(SceneKind k) { return k == SceneKind::imploding_shell; }
 
 using S = Scene;
 constexpr auto P = Section::parameters;
@@ -24,11 +26,11 @@ constexpr bool derived = true;
 // clang-format off
 const Quantity quantity_table[] = {
     {"impact_speed", "m/s", "impact_speed_m_s", "speed of the block onto the rigid wall",
-     P, positive, required, "", every, FIELD(impact_speed)},
+     P, positive, required, "", block, FIELD(impact_speed)},
     {"block_width", "m", "block_width_m", "full width of the block, between its mirrors",
-     P, positive, required, "", every, FIELD(block_width)},
+     P, positive, required, "", block, FIELD(block_width)},
     {"block_height", "m", "block_height_m", "height of the block",
-     P, positive, required, "", every, FIELD(block_height)},
+     P, positive, required, "", block, FIELD(block_height)},
     {"cavity_radius", "m", "cavity_radius_m", "radius of the cavity",
      P, positive, required, "", cavity, FIELD(cavity_radius)},
     {"cavity_center_height", "m", "cavity_center_height_m", "height of the cavity's centre above the impact face",
@@ -37,6 +39,12 @@ const Quantity quantity_table[] = {
      P, non_negative, required, "cavity_center_height", cavity,
      [](const S& s) { return s.block_height - s.cavity_center_height - s.cavity_radius; },
      [](S& s, double d) { s.cavity_center_height = s.block_height - d - s.cavity_radius; }, derived},
+    {"inner_radius", "m", "inner_radius_m", "inner radius of the shell",
+     P, positive, required, "", shell, FIELD(inner_radius)},
+    {"outer_radius", "m", "outer_radius_m", "outer radius of the shell",
+     P, positive, required, "", shell, FIELD(outer_radius)},
+    {"inner_speed", "m/s", "inner_speed_m_s", "speed, inwards, of the shell's inner surface: v(r) = -inner_speed inner_radius / r",
+     P, positive, required, "", shell, FIELD(inner_speed)},
     {"end_time", "s", "end_time_s", "time at which a run ends",
      P, positive, required, "", every, FIELD(end_time)},
     {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress",
@@ -58,7 +66,7 @@ const Quantity quantity_table[] = {
      M, non_negative, optional, "", every, FIELD(material.hugoniot_slope)},
     {"gruneisen_gamma", "1", "gruneisen_gamma", "Grueneisen coefficient at rest",
      M, non_negative, optional, "", every, FIELD(material.gruneisen_gamma)},
-    {"pressure_limit", "Pa", "pressure_limit_Pa", "pressure up to which the equation of state is valid; a run that passes it fails",
+    {"pressure_limit", "Pa", "pressure_limit_Pa", "pressure up to which the equation of state is valid",
      M, positive, optional, "", every, FIELD(material.pressure_limit)},
     {"specific_heat", "J/kg/K", "specific_heat_J_kg_K", "specific heat at constant volume",
      M, positive, optional, "", every, FIELD(material.specific_heat)},
@@ -91,7 +99,7 @@ constexpr std::string_view hardening_names[] = {"norm", "equivalent", "tangent"}
 constexpr std::string_view scheme_names[] = {"gimp", "bspline2"};
 constexpr std::string_view symmetry_names[] = {"half", "full"};
 constexpr std::string_view kernel_names[] = {"fast", "reference"};
-constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact"};
+constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact", "imploding-shell"};
 
 #define CHOICE(member)                                           \
   [](const S& s) { return static_cast<std::size_t>(s.member); }, \
@@ -103,10 +111,10 @@ const Choice choice_table[] = {
     {"hardening_measure", "hardening_measure", "measure of strain of hardening_modulus", M, hardening_names,
      every, CHOICE(material.hardening_measure)},
     {"scheme", "scheme", "shape functions", N, scheme_names, every, CHOICE(numerics.scheme)},
-    {"symmetry", "symmetry", "model half of the scene or all of it", N, symmetry_names, every,
-     CHOICE(numerics.symmetry)},
-    {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against", N,
-     kernel_names, every, CHOICE(numerics.kernel)},
+    {"symmetry", "symmetry", "model half of the scene (a quarter of a shell) or all of it", N, symmetry_names,
+     every, CHOICE(numerics.symmetry)},
+    {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against",
+     N, kernel_names, every, CHOICE(numerics.kernel)},
 };
 #undef CHOICE
 

@@ -8,18 +8,23 @@
 
 namespace mpm {
 
-/// What is simulated. All scenes are plane strain, x across, y along the impact; the impact wall is y = 0 and
-/// the body moves onto it with v_y = -impact_speed. x = 0 is the mirror axis of the configuration.
-enum class SceneKind { cavity_impact, planar_impact };
+/// What is simulated. All scenes are plane strain, and x = 0 is a mirror axis of the configuration.
+enum class SceneKind {
+  cavity_impact,   ///< a block with a cavity; y along the impact, the impact wall is y = 0, v_y =
+                   ///< -impact_speed
+  planar_impact,   ///< the same block without the cavity
+  imploding_shell  ///< a ring that nothing touches, with v(r) = -inner_speed inner_radius / r
+};
 
 enum class ShapeFunction {
   gimp,      ///< generalised interpolation, particle domains that follow the stretch
   bspline2,  ///< quadratic B-spline
 };
 
+/// How much of the configuration is modelled.
 enum class Symmetry {
-  half,  ///< 0 <= x <= W/2 between two mirrors
-  full,  ///< -W/2 <= x <= W/2
+  half,  ///< x >= 0; of a shell, which has a second mirror at y = 0, the quarter x, y >= 0
+  full,  ///< all of it
 };
 
 /// Which code takes the steps. Results agree to rounding.
@@ -55,6 +60,9 @@ struct Scene {
   double block_height = 0;          ///< H [m]
   double cavity_radius = 0;         ///< R [m]
   double cavity_center_height = 0;  ///< y_c above the impact face [m]
+  double inner_radius = 0;          ///< a0 of the shell [m]
+  double outer_radius = 0;          ///< b0 of the shell [m]
+  double inner_speed = 0;           ///< u0, inwards, at the inner radius [m/s], > 0
   double end_time = 0;              ///< [s]
   Numerics numerics;
   Measures measures;

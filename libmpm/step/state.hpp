@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "libmpm/boundary/mirror.hpp"
 #include "libmpm/core/grid.hpp"
 #include "libmpm/core/particles.hpp"
 #include "libmpm/material/artificial_viscosity.hpp"
@@ -19,10 +20,12 @@ struct MaterialModel {
 
 /// Sums over the particles after a step.
 struct StepReport {
-  double largest_signal = 0;  ///< fastest signal against the grid, sound + viscosity + motion [m/s]
+  /// Fastest signal against the grid, sound + viscosity + motion [m/s]; NaN if a particle's state is not
+  /// finite or a particle is outside the grid.
+  double largest_signal = 0;
   double smallest_dilation = 0, largest_dilation = 0;  ///< J - 1 [1]
-  double largest_pressure = 0;                         ///< [Pa]
-  double transfer_heat = 0;  ///< kinetic energy that the transfer took and left as heat in this step [J/m]
+  double overpressed_mass = 0;  ///< of particles beyond the range of the equation of state [kg/m]
+  double transfer_heat = 0;     ///< kinetic energy that the transfer took and left as heat in this step [J/m]
   Vec2 wall_impulse = Vec2::Zero();  ///< that all walls gave in this step [kg/s]
   double highest = 0;                ///< largest y of a particle [m]
 };
@@ -34,6 +37,7 @@ struct State {
   std::vector<Mat2> velocity_gradient;  ///< of each particle, over the last step [1/s]
   double time = 0;                      ///< [s]
   std::int64_t step = 0;
+  Floor floor = Floor::impact_wall;  ///< what y = origin of the grid is
 };
 
 }  // namespace mpm

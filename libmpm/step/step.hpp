@@ -13,6 +13,7 @@
 /// positions, densities and stresses to whole steps. Energy is conserved to rounding by construction (see
 /// g2p.hpp).
 #include <algorithm>
+#include <limits>
 
 #include "libmpm/boundary/impact_wall.hpp"
 #include "libmpm/boundary/mirror.hpp"
@@ -28,7 +29,17 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt) {
   StepReport report;
   Grid& grid = state.grid;
   double highest = grid.origin().y();
-  for (const Vec2& x : state.particles.position) highest = std::max(highest, x.y());
+  const Vec2 low = grid.origin() - 0.5 * grid.cell();
+  const double right = grid.origin().x() + (grid.columns() + 0.5) * grid.cell().x();
+  bool inside = true;
+  for (const Vec2& x : state.particles.position) {
+    highest = std::max(highest, x.y());
+    inside &= x.x() > low.x() && x.x() < right && x.y() > low.y();
+  }
+  if (!inside) {  // or not a number: no node to write to
+    report.largest_signal = std::numeric_limits<double>::quiet_NaN();
+    return report;
+  }
   const int top = static_cast<int>((highest - grid.origin().y()) * grid.inverse_cell().y()) + 2;
   grid.grow_to_row(top);
   grid.clear();
@@ -36,8 +47,9 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt) {
   p2g<Shape>(state.particles, grid);
   for (Node& n : grid.nodes()) n.own_mass = n.mass;
   reflect_sides(grid, top);
+  if (state.floor == Floor::mirror) reflect_floor(grid);
   update_grid(grid, dt);
-  apply_impact_wall(grid, dt);
+  if (state.floor == Floor::impact_wall) apply_impact_wall(grid, dt);
   report.wall_impulse = wall_impulse(grid, dt);
   report.transfer_heat = g2p<Shape>(state.particles, grid, dt, state.velocity_gradient);
   update_stress(state, model, dt, report);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mpm {
 namespace {
@@ -21,7 +22,8 @@ Mat2 at_middle(const Mat2& l, double dt) {
 
 void update_stress(State& state, const MaterialModel& model, double dt, StepReport& report) {
   Particles& ps = state.particles;
-  double lowest = 0, highest = 0, fastest = 0, hardest = 0;
+  double lowest = 0, highest = 0, fastest = 0, overpressed = 0;
+  bool finite = true;  // std::max would lose a NaN
   for (std::size_t p = 0; p < ps.size(); ++p) {
     const Mat2& l = state.velocity_gradient[p];
     // det(1 + dt L) - 1 without the 1, so that small dilations keep their digits
@@ -53,13 +55,15 @@ void update_stress(State& state, const MaterialModel& model, double dt, StepRepo
     const double longitudinal = bulk_square + 4.0 / 3.0 * model.strength.shear_modulus * specific_volume;
     const double viscous = model.viscosity.speed(theta, bulk_sound);
     const double speed = ps.velocity[p].cwiseAbs().maxCoeff();
-    fastest = std::max(fastest, speed + viscous + std::sqrt(viscous * viscous + longitudinal));
-    hardest = std::max(hardest, ps.pressure[p]);
+    const double signal = speed + viscous + std::sqrt(viscous * viscous + longitudinal);
+    finite &= std::isfinite(signal) && std::isfinite(ps.pressure[p]) && std::isfinite(ps.energy[p]);
+    fastest = std::max(fastest, signal);
+    if (ps.pressure[p] > model.eos.pressure_limit) overpressed += ps.mass[p];
     lowest = std::min(lowest, volume.dilation);
     highest = std::max(highest, volume.dilation);
   }
-  report.largest_signal = fastest;
-  report.largest_pressure = hardest;
+  report.largest_signal = finite ? fastest : std::numeric_limits<double>::quiet_NaN();
+  report.overpressed_mass = overpressed;
   report.smallest_dilation = lowest;
   report.largest_dilation = highest;
 }

@@ -31,10 +31,20 @@ std::vector<StudyState> read_studies(SQLite::Database& db) {
   return studies;
 }
 
+/// A job that a study once had keeps its row: it is reused when one has it again.
+StudyState read_no_study(SQLite::Database& db) {
+  StudyState none;
+  SQLite::Statement counts(db, "SELECT status, count(*) FROM jobs WHERE study IS NULL GROUP BY status");
+  while (counts.executeStep())
+    none.jobs[job_status_from(counts.getColumn(0).getString())] = counts.getColumn(1).getInt64();
+  return none;
+}
+
 CatalogState read_all(SQLite::Database& db) {
   CatalogState state;
   SQLite::Transaction one_moment(db);
   state.studies = read_studies(db);
+  state.no_study = read_no_study(db);
   SQLite::Statement running(
       db,
       "SELECT j.key, j.study, e.\"by\", j.started_at, j.attempt FROM jobs j JOIN events e "
@@ -71,6 +81,7 @@ CatalogState read_state(const std::filesystem::path& results, const std::vector<
     return std::ranges::find(wanted, name) == wanted.end();
   };
   std::erase_if(state.studies, [&](const auto& study) { return is_other(study.name); });
+  state.no_study = {};
   std::erase_if(state.running, [&](const auto& job) { return is_other(job.study); });
   std::erase_if(state.failed, [&](const auto& job) { return is_other(job.study); });
   return state;

@@ -17,18 +17,22 @@ struct StudyState {
 };
 
 struct RunningJob {
-  std::string key, study;
+  std::string key;
+  std::string study;  ///< "": none
   std::string by;     ///< "host:pid"
   std::string since;  ///< UTC
   std::int64_t attempt = 0;
 };
 
 struct FailedJob {
-  std::string key, study, reason;
+  std::string key;
+  std::string study;  ///< "": none
+  std::string reason;
 };
 
 struct CatalogState {
   std::vector<StudyState> studies;
+  StudyState no_study;  ///< jobs that no study has any longer; its name is ""; empty where studies are named
   std::vector<RunningJob> running;
   std::vector<FailedJob> failed;
 };

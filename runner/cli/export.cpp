@@ -98,7 +98,6 @@ int run_export(const ExportOptions& options) {
   if (exported == std::end(views)) throw CatalogError("--what: " + options.what + ": there is no such view");
   if (options.output.empty() || options.output == "-") {
     write(*exported, options, *format, std::cout);
-    std::cout.flush();
     return exit_ok;
   }
   const fs::path output = options.output;

@@ -10,6 +10,7 @@
 
 #include "runner/catalog/reader.hpp"
 #include "runner/plan/plan.hpp"
+#include "runner/status/label.hpp"
 #include "runner/study/readable.hpp"
 
 namespace mpmstudy {
@@ -91,7 +92,7 @@ void print_text(const Study& study, const Plan& plan, const Speed& speed, int wo
   rows[0].insert(rows[0].end(), study.swept.begin(), study.swept.end());
   rows[0].insert(rows[0].end(), {"particles", "steps", "predicted"});
   for (const Job& job : plan.jobs) {
-    std::vector<std::string> row = {job.key.substr(0, 12)};
+    std::vector<std::string> row = {short_key(job.key)};
     for (const std::string& name : study.swept) row.push_back(readable_parameter(name, job.scene));
     row.push_back(std::to_string(job.estimate.particles));
     row.push_back(std::to_string(job.estimate.steps));

@@ -28,7 +28,6 @@ int run_query(const QueryOptions& options) {
   if (!format) throw CatalogError("--format: " + options.format + ": table, csv or json");
   const auto sink = make_row_sink(*format, std::cout);
   query(options.results, options.sql, *sink);
-  std::cout.flush();
   return exit_ok;
 }
 

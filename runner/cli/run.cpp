@@ -79,10 +79,11 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
   std::ranges::stable_sort(jobs, std::ranges::greater{}, &Job::predicted_seconds);
   const auto swept = swept_names(studies);
   for (const auto* job : jobs)
-    fmt::print("{}  {} particles, {} steps, {}  {}\n", job->key.substr(0, 8), job->estimate.particles,
+    fmt::print("{}  {} particles, {} steps, {}  {}\n", short_key(job->key), job->estimate.particles,
                job->estimate.steps, readable_duration(job->predicted_seconds), label_of(job->scene, swept));
-  fmt::print("{} jobs would run, about {} of one core; {} are done, {} failed and would be left\n",
-             jobs.size(), readable_duration(seconds), kept["done"], kept["failed"]);
+  fmt::print("{} would run, about {} of one core; {} done, {} failed and would be left\n",
+             counted(static_cast<std::int64_t>(jobs.size()), "job"), readable_duration(seconds), kept["done"],
+             kept["failed"]);
   return exit_ok;
 }
 

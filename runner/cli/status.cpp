@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "runner/catalog/reader.hpp"
+#include "runner/status/label.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -22,42 +24,57 @@ std::int64_t count(const StudyState& study, JobStatus status) {
   return found == study.jobs.end() ? 0 : found->second;
 }
 
+/// How jobs that no study has are listed and counted.
+constexpr std::string_view nobody = "(no study)";
+std::string_view name_of(std::string_view study) { return study.empty() ? nobody : study; }
+
+Json counts(const StudyState& study) {
+  Json jobs;
+  for (const auto status : all_states) jobs[std::string(to_string(status))] = count(study, status);
+  return jobs;
+}
+
+/// The name of a study, or null.
+Json study_or_null(const std::string& study) { return study.empty() ? Json(nullptr) : Json(study); }
+
 Json to_json(const CatalogState& state) {
-  Json json = {{"studies", Json::array()}, {"running", Json::array()}, {"failed", Json::array()}};
-  for (const auto& study : state.studies) {
-    Json jobs;
-    for (const auto status : all_states) jobs[std::string(to_string(status))] = count(study, status);
-    json["studies"].push_back({{"study", study.name}, {"title", study.title}, {"jobs", jobs}});
-  }
+  Json json = {{"studies", Json::array()},
+               {"no_study", counts(state.no_study)},
+               {"running", Json::array()},
+               {"failed", Json::array()}};
+  for (const auto& study : state.studies)
+    json["studies"].push_back({{"study", study.name}, {"title", study.title}, {"jobs", counts(study)}});
   for (const auto& job : state.running)
     json["running"].push_back({{"key", job.key},
-                               {"study", job.study},
+                               {"study", study_or_null(job.study)},
                                {"by", job.by},
                                {"since", job.since},
                                {"attempt", job.attempt}});
   for (const auto& job : state.failed)
-    json["failed"].push_back({{"key", job.key}, {"study", job.study}, {"reason", job.reason}});
+    json["failed"].push_back({{"key", job.key}, {"study", study_or_null(job.study)}, {"reason", job.reason}});
   return json;
 }
 
 void print_text(const CatalogState& state) {
+  auto rows = state.studies;
+  if (!state.no_study.jobs.empty()) rows.push_back(state.no_study);
   std::size_t width = 5;
-  for (const auto& study : state.studies) width = std::max(width, study.name.size());
+  for (const auto& study : rows) width = std::max(width, name_of(study.name).size());
   fmt::print("{:<{}}", "study", width);
   for (const auto status : all_states) fmt::print("  {:>9}", to_string(status));
   fmt::print("\n");
-  for (const auto& study : state.studies) {
-    fmt::print("{:<{}}", study.name, width);
+  for (const auto& study : rows) {
+    fmt::print("{:<{}}", name_of(study.name), width);
     for (const auto status : all_states) fmt::print("  {:>9}", count(study, status));
     fmt::print("\n");
   }
   if (!state.running.empty()) fmt::print("\nrunning\n");
   for (const auto& job : state.running)
-    fmt::print("  {}  {}  by {} since {}, attempt {}\n", job.key.substr(0, 8), job.study, job.by, job.since,
-               job.attempt);
+    fmt::print("  {}  {}  by {} since {}, attempt {}\n", short_key(job.key), name_of(job.study), job.by,
+               job.since, job.attempt);
   if (!state.failed.empty()) fmt::print("\nfailed\n");
   for (const auto& job : state.failed)
-    fmt::print("  {}  {}  {}\n", job.key.substr(0, 8), job.study, job.reason);
+    fmt::print("  {}  {}  {}\n", short_key(job.key), name_of(job.study), job.reason);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ class Executor {
       finished.result = simulate(job, files);
       if (finished.result.status == mpm::RunStatus::stopped) {
         files.discard();
-        let_go(job, "stopped");
+        let_go(job, "");
         return;
       }
       finished.snapshots = files.close();
@@ -148,11 +148,12 @@ class Executor {
     return result;
   }
 
-  void let_go(const Job& job, const std::string& reason) {
-    ledger_.release(job.key, reason);
+  /// why: "" if the run was asked to stop.
+  void let_go(const Job& job, const std::string& why) {
+    ledger_.release(job.key, why.empty() ? "stopped" : why);
     JobEnd end;
     end.status = JobStatus::planned;
-    end.reason = reason;
+    end.reason = why;
     status_.job_finished(job, end);
     std::lock_guard lock(mutex_);
     ++report_.stopped;

@@ -7,11 +7,12 @@
 namespace mpmstudy {
 namespace {
 
-/// "m^2 / m^1" as one text: the unit of a coefficient.
+/// Unit of y over a power of x: "1/m^2", "Pa/(m/s)".
 std::string coefficient_unit(const std::string& y, std::string_view x, std::size_t power) {
   if (power == 0 || x == "1") return y;
-  const std::string divisor = power == 1 ? std::string(x) : fmt::format("({})^{}", x, power);
-  return fmt::format("{}/{}", y, divisor);
+  std::string divisor(x);
+  if (x.find('/') != std::string_view::npos) divisor = fmt::format("({})", x);
+  return power == 1 ? fmt::format("{}/{}", y, divisor) : fmt::format("{}/{}^{}", y, divisor, power);
 }
 
 }  // namespace

@@ -23,6 +23,12 @@ std::string label_of(const mpm::Scene& scene, std::span<const std::string> swept
   return text;
 }
 
+std::string short_key(const std::string& key) { return key.substr(0, shown_key_digits); }
+
+std::string counted(std::int64_t number, const std::string& noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
 std::string readable_duration(double seconds) {
   if (!(seconds >= 0)) return "?";
   if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);

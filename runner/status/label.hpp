@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -9,6 +11,14 @@ namespace mpmstudy {
 /// What tells a job from its neighbours: "cavity_radius = 1 um, impact_speed = 200 m/s". Names that the
 /// scene does not know are left out.
 std::string label_of(const mpm::Scene&, std::span<const std::string> swept);
+
+/// The first digits of a job's key: what every verb prints of it, so that one can be found in the other's
+/// output. 12 digits tell a million jobs apart.
+inline constexpr std::size_t shown_key_digits = 12;
+std::string short_key(const std::string& key);
+
+/// "1 job", "2 jobs".
+std::string counted(std::int64_t number, const std::string& noun);
 
 /// "8 s", "2 min 05 s", "1 h 02 min"
 std::string readable_duration(double seconds);

@@ -29,7 +29,7 @@ class PlainStatus : public Status {
     std::lock_guard lock(mutex_);
     last_[job.key] = clock_();
     if (!options_.quiet)
-      out_ << fmt::format("{} started: {} particles, about {} steps, {}\n", job.key.substr(0, 8),
+      out_ << fmt::format("{} started: {} particles, about {} steps, {}\n", short_key(job.key),
                           job.estimate.particles, job.estimate.steps, label_of(job.scene, options_.swept))
            << std::flush;
   }
@@ -42,7 +42,7 @@ class PlainStatus : public Status {
     if (options_.quiet || now - last_[job.key] < options_.progress_every_s) return;
     last_[job.key] = now;
     const auto left = eta_.remaining(now - started_);
-    out_ << fmt::format("{} {:3.0f} %, step {}, {:.3f} ns{}\n", job.key.substr(0, 8), 100 * fraction, p.step,
+    out_ << fmt::format("{} {:3.0f} %, step {}, {:.3f} ns{}\n", short_key(job.key), 100 * fraction, p.step,
                         p.time * 1e9, left ? ", all done in about " + readable_duration(*left) : "")
          << std::flush;
   }
@@ -50,8 +50,12 @@ class PlainStatus : public Status {
   void job_finished(const Job& job, const JobEnd& end) override {
     std::lock_guard lock(mutex_);
     last_.erase(job.key);
-    end.status == JobStatus::planned ? eta_.stopped(job.key) : eta_.finished(job.key, job.predicted_seconds);
-    ++finished_;
+    if (end.status == JobStatus::planned) {
+      eta_.stopped(job.key);  // undecided, so it is not counted
+    } else {
+      eta_.finished(job.key, job.predicted_seconds);
+      ++finished_;
+    }
     if (options_.quiet && end.status != JobStatus::failed) return;
     out_ << end_line(finished_, jobs_, job, end, label_of(job.scene, options_.swept)) << "\n" << std::flush;
   }
@@ -86,9 +90,9 @@ std::unique_ptr<Status> make_plain_status(std::ostream& out, PlainOptions option
 
 std::string end_line(std::int64_t number, std::int64_t of, const Job& job, const JobEnd& end,
                      const std::string& label) {
-  std::string line = fmt::format("[{}/{}] {} ", number, of, job.key.substr(0, 8));
+  std::string line = fmt::format("[{}/{}] {} ", number, of, short_key(job.key));
   if (end.status == JobStatus::planned)
-    line += "stopped, will be run again: " + end.reason;
+    line += "stopped, will be run again" + (end.reason.empty() ? "" : ": " + end.reason);
   else if (end.status == JobStatus::failed)
     line += "FAILED: " + end.reason;
   else
@@ -98,16 +102,17 @@ std::string end_line(std::int64_t number, std::int64_t of, const Job& job, const
 }
 
 std::string start_text(const RunStart& start) {
-  std::string text = fmt::format("{} jobs to run on {} workers", start.jobs, start.workers);
+  std::string text =
+      fmt::format("{} to run on {}", counted(start.jobs, "job"), counted(start.workers, "worker"));
   if (start.predicted_seconds > 0)
     text += fmt::format(", about {} of one core", readable_duration(start.predicted_seconds));
   text += "\n";
-  if (start.reused > 0) text += fmt::format("{} jobs are done already\n", start.reused);
+  if (start.reused > 0) text += fmt::format("{} done already\n", counted(start.reused, "job"));
   if (start.taken_up > 0)
-    text += fmt::format("{} jobs are taken up from a process that is gone\n", start.taken_up);
+    text += fmt::format("{} taken up from a process that is gone\n", counted(start.taken_up, "job"));
   if (start.left_failed > 0)
-    text += fmt::format("{} jobs failed before and are left so; --retry-failed runs them again\n",
-                        start.left_failed);
+    text += fmt::format("{} failed before, left so; --retry-failed runs failed jobs again\n",
+                        counted(start.left_failed, "job"));
   return text;
 }
 

@@ -24,7 +24,7 @@ struct PlainOptions {
 std::unique_ptr<Status> make_plain_status(std::ostream&, PlainOptions = {},
                                           StatusClock = steady_status_clock());
 
-/// "[2/8] 1a2b3c4d done in 3.2 s (12,345 particles, 678 steps, 6.10 M updates/s) cavity_radius = 1 um"
+/// "[2/8] 1a2b3c4d5e6f done in 3.2 s (12,345 particles, 678 steps, 6.10 M updates/s) cavity_radius = 1 um"
 std::string end_line(std::int64_t number, std::int64_t of, const Job&, const JobEnd&,
                      const std::string& label);
 /// What a run says before its first job, and after its last one. Several lines.

@@ -22,7 +22,7 @@ struct RunStart {
 /// How one job ended: done, failed, or planned (again) if it was stopped.
 struct JobEnd {
   JobStatus status = JobStatus::done;
-  std::string reason;
+  std::string reason;  ///< why it failed, or was stopped; "" if the run was asked to stop
   std::int64_t particles = 0;
   std::int64_t steps = 0;
   double wall_s = 0;  ///< [s]

@@ -52,8 +52,12 @@ class TerminalStatus : public Status {
   void job_finished(const Job& job, const JobEnd& end) override {
     std::lock_guard lock(mutex_);
     std::erase_if(running_, [&](const auto& line) { return line.key == job.key; });
-    end.status == JobStatus::planned ? eta_.stopped(job.key) : eta_.finished(job.key, job.predicted_seconds);
-    ++finished_;
+    if (end.status == JobStatus::planned) {
+      eta_.stopped(job.key);  // undecided, so it is not counted
+    } else {
+      eta_.finished(job.key, job.predicted_seconds);
+      ++finished_;
+    }
     wipe();
     out_ << end_line(finished_, jobs_, job, end, label_of(job.scene, options_.swept)) << "\n";
     redraw(true);
@@ -94,7 +98,7 @@ class TerminalStatus : public Status {
     const std::size_t shown = std::min(running_.size(), options_.most_lines);
     for (std::size_t i = 0; i < shown; ++i) {
       const auto& [key, label, p] = running_[i];
-      line(fmt::format("{} {} {:3.0f} %  step {:>6}  {:9.3f} ns  {}", key.substr(0, 8), bar(fraction(p)),
+      line(fmt::format("{} {} {:3.0f} %  step {:>6}  {:9.3f} ns  {}", short_key(key), bar(fraction(p)),
                        100 * fraction(p), p.step, p.time * 1e9, label),
            width);
     }

@@ -62,6 +62,36 @@ bool axis_suits(const SweepRequest& request, const Axis& axis, Problems& problem
   return true;
 }
 
+bool is_override(const Place& place) { return place.line == 0 && !place.file.empty(); }
+
+/// Too many jobs. With a --set that sweeps or samples it is said of that one, the largest, for without it the
+/// file may be well; otherwise of the file as a whole, because all its sweeps share in the number.
+void refuse_count(const SweepRequest& request, const std::vector<const Axis*>& swept,
+                  std::optional<std::uint64_t> jobs, std::uint64_t most_jobs, const Place& file,
+                  Problems& problems) {
+  Refusal refusal{"more than can be counted", "sweep fewer values"};
+  if (jobs)
+    refusal = {"more than " + std::to_string(most_jobs) + " jobs",
+               "sweep fewer values, or say --yes if that is meant"};
+  if (is_sampled(request.mode) && is_override(request.samples_place)) {
+    problems.add(request.samples_place, "samples", std::to_string(request.samples), refusal);
+    return;
+  }
+  const Axis* largest = nullptr;
+  if (!is_sampled(request.mode))
+    for (const Axis* axis : swept)
+      if (is_override(axis->value_place) && (!largest || axis->size() > largest->size())) largest = axis;
+  if (largest) {
+    refusal.wrong = jobs ? "makes " + std::to_string(*jobs) + " jobs, more than " + std::to_string(most_jobs)
+                         : "makes more jobs than can be counted";
+    problems.add(largest->value_place, largest->name(), largest->written, refusal);
+  } else if (jobs) {
+    problems.add(file, "jobs", std::to_string(*jobs), refusal);
+  } else {
+    problems.add(file, "jobs", refusal);
+  }
+}
+
 }  // namespace
 
 std::optional<SweepRequest> read_sweep(const Table* table, Problems& problems) {
@@ -78,6 +108,7 @@ std::optional<SweepRequest> read_sweep(const Table* table, Problems& problems) {
     request.place = entry->value.place;
     request.written = entry->value.written();
   }
+  if (const Entry* entry = table->find("samples")) request.samples_place = entry->value.place;
   read_whole(*table, "samples", 1, request.mode, request.place, request.samples, problems);
   read_whole(*table, "seed", 0, request.mode, request.place, request.seed, problems);
   if (is_sampled(request.mode) && request.samples == 0) return std::nullopt;
@@ -116,12 +147,7 @@ std::optional<std::uint64_t> count_jobs(const SweepRequest& request, const std::
     for (const Axis* axis : swept) jobs = jobs ? product(*jobs, axis->size()) : jobs;
   }
   if (jobs && *jobs <= most_jobs) return jobs;
-  if (!jobs)
-    problems.add(file, "jobs", {"more than can be counted", "sweep fewer values"});
-  else
-    problems.add(file, "jobs", std::to_string(*jobs),
-                 {"more than " + std::to_string(most_jobs) + " jobs",
-                  "sweep fewer values, or say --yes if that is meant"});
+  refuse_count(request, swept, jobs, most_jobs, file, problems);
   return std::nullopt;
 }
 

@@ -16,6 +16,7 @@ struct SweepRequest {
   SweepMode mode = SweepMode::grid;
   std::uint64_t samples = 0;  ///< random, latin-hypercube
   std::uint64_t seed = 0;
+  Place samples_place;
   Place place;  ///< of mode, for messages
   std::string written = "\"grid\"";
 };

@@ -29,6 +29,13 @@ std::pair<std::optional<std::string_view>, std::string_view> locate(std::string_
   return {std::nullopt, key};
 }
 
+/// name and title are text: what the shell left of name="2026" is no number.
+Value value_of(std::string_view key, std::string_view name, std::string_view text) {
+  if ((name == "name" || name == "title") && !text.starts_with('"'))
+    return {{"--set", 0, 0}, std::string(text)};
+  return read_value(key, text);
+}
+
 Refusal unknown(std::string_view key) {
   const std::string_view name = key.substr(key.find('.') == key.npos ? 0 : key.find('.') + 1);
   std::vector<std::string_view> all;
@@ -45,8 +52,8 @@ Refusal unknown(std::string_view key) {
 void apply_overrides(Table& document, const std::vector<std::pair<std::string, std::string>>& set,
                      Problems& problems) {
   for (const auto& [key, text] : set) {
-    const Value value = read_value(key, text);
     const auto [table_name, name] = locate(key);
+    const Value value = value_of(key, name, text);
     if (!table_name) {
       problems.add(value.place, key, text, unknown(key));
       continue;

@@ -1,6 +1,7 @@
 // The two measures of a cavity's area.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "libmpm/measure/contour.hpp"
@@ -77,6 +78,26 @@ TEST(CavityArea, BothMeasuresAgreeDuringTheCollapse) {
   EXPECT_LT(r.area_history.back().area, 0.6 * circle(1.5e-6));
   for (const mpm::AreaSample& a : r.area_history)
     EXPECT_NEAR(a.void_area, a.area, 0.003 * circle(1.5e-6)) << a.time;
+}
+
+// A jet that meets the far side makes the contour cross itself: from then on the void's area counts.
+TEST(CavityArea, ACrossedContourIsNotReported) {
+  mpm::Scene s = scenes::cavity(0.2e-6);
+  s.impact_speed = 1120;
+  s.end_time = 1.4e-9;
+  const mpm::RunResult r = mpm::run(s);
+  ASSERT_EQ(r.status, mpm::RunStatus::done);
+  EXPECT_GT(scenes::metric(r, "contour_crossed_time_s"), 0.5e-9);
+  EXPECT_TRUE(std::isnan(scenes::metric(r, "lower_upper_area_ratio")));
+  double sum = 0, count = 0;
+  for (const mpm::AreaSample& a : r.area_history)
+    if (a.time >= 0.75 * s.end_time) sum += a.void_area, ++count;
+  EXPECT_LT(scenes::metric(r, "contour_crossed_time_s"), 0.75 * s.end_time);
+  EXPECT_NEAR(*r.final_area / (sum / count), 1, 1e-12);
+
+  const mpm::RunResult open = mpm::run(scenes::cavity(0.2e-6));
+  EXPECT_TRUE(std::isnan(scenes::metric(open, "contour_crossed_time_s")));
+  EXPECT_GT(scenes::metric(open, "lower_upper_area_ratio"), 0);
 }
 
 }  // namespace

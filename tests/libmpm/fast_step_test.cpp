@@ -74,6 +74,7 @@ std::vector<mpm::Scene> variants() {
         s.material.kinematic_fraction = kinematic;
         s.material.tension = tension;
         s.material.spall_strength = 1e9;
+        s.material.pressure_limit = 1e9;  // some random pressures are beyond
         all.push_back(s);
       }
   return all;
@@ -91,7 +92,7 @@ TEST(FastStep, AgreesWithTheReferenceOnRandomStates) {
         const double dt = (5 + k) * 1e-12;
         const mpm::StepReport x = fast.step(a, dt), y = reference(b, scene, dt);
         EXPECT_NEAR(x.largest_signal / y.largest_signal, 1, 1e-12);
-        EXPECT_NEAR(x.largest_pressure / y.largest_pressure, 1, 1e-12);
+        EXPECT_NEAR(x.overpressed_mass / y.overpressed_mass, 1, 1e-12);
         EXPECT_NEAR(x.smallest_dilation, y.smallest_dilation, 1e-12);
         EXPECT_NEAR(x.largest_dilation, y.largest_dilation, 1e-12);
         EXPECT_NEAR(x.transfer_heat / y.transfer_heat, 1, 1e-12);
@@ -183,6 +184,7 @@ void expect_same_run(mpm::Scene s, double tolerance) {
     if (a.metrics[i].name.ends_with("_error")) continue;
     // columns of a planar impact are all alike: rounding decides which is the hottest
     if (s.kind == mpm::SceneKind::planar_impact && a.metrics[i].name == "hot_spot_x_m") continue;
+    if (a.metrics[i].value == b.metrics[i].value) continue;  // both zero, for one
     EXPECT_NEAR(a.metrics[i].value / b.metrics[i].value, 1, 1000 * tolerance) << a.metrics[i].name;
   }
 }

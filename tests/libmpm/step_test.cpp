@@ -1,6 +1,9 @@
 // One step of random states, and what a step must keep: mass, momentum, energy.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/shape/bspline2.hpp"
@@ -108,6 +111,23 @@ TYPED_TEST(StepTest, ShockedBlockLeavesTheWall) {
   EXPECT_LT(late, 1e-14 * mass * 200);
   EXPECT_NEAR(mpm::momentum_of(s.particles).y() / mass, 166, 3);  // m/s; the rest shakes
   EXPECT_GT(s.particles.velocity[0].y(), 150);
+}
+
+// One particle that is not a number, or outside, is a breakdown at once; no node beyond the grid is touched.
+TYPED_TEST(StepTest, ReportsWhatIsNotANumberAndWhatIsOutside) {
+  const mpm::Scene scene = scenes::cavity(0.2e-6);
+  const mpm::MaterialModel material = mpm::build_material(scene);
+  const auto signal_after = [&](auto spoil) {
+    mpm::State s = random_state(scene, 1e-6);
+    spoil(s.particles);
+    return mpm::reference_step<TypeParam>(s, material, 1e-12).largest_signal;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isfinite(signal_after([](mpm::Particles&) {})));
+  EXPECT_TRUE(std::isnan(signal_after([&](mpm::Particles& p) { p.energy[7] = nan; })));
+  EXPECT_TRUE(std::isnan(signal_after([&](mpm::Particles& p) { p.position[7].x() = nan; })));
+  EXPECT_TRUE(std::isnan(signal_after([](mpm::Particles& p) { p.position[7].x() = 6e-6; })));
+  EXPECT_TRUE(std::isnan(signal_after([](mpm::Particles& p) { p.position[7].y() = -1e-6; })));
 }
 
 // A rigid rotation, step by step, must not stress the material (objectivity), and a uniform flow must be seen

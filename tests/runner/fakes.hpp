@@ -78,7 +78,7 @@ inline mpm::RunResult result_of(const mpm::Scene& s) {
   r.collapsibility = 1 - 1.0 / 7;
   for (int i = 0; i < 50; ++i)
     r.area_history.push_back({i * 0.1e-9, *r.initial_area / (1 + i / 3.0), *r.initial_area / (1 + i / 3.1)});
-  r.metrics = {{"roundness", 1.0 / 3, "1", 0.1}, {"jet_speed_m_s", s.impact_speed / 3, "m/s", {}}};
+  r.metrics = {{"roundness", 1.0 / 3, "1", 0.1}, {"free_surface_speed_m_s", s.impact_speed / 3, "m/s", {}}};
   return r;
 }
 

@@ -9,8 +9,8 @@ namespace mpm {
 ///   P = A(mu) (1 - gamma mu/2) + gamma0 rho0 e,   A = C mu + D mu^2 + S mu^3      [Pa]
 ///   C = rho0 c0^2, D = C (2 lambda - 1), S = C (lambda - 1)(3 lambda - 1), gamma rho = gamma0 rho0.
 /// Since gamma mu = gamma0 eta with eta = 1 - rho0/rho = -(J - 1), and A is the pressure on the Hugoniot
-/// exactly. Source: [Xu2007, eq. 13]. Valid up to 270 GPa. Tension: see mpm::Tension. Checked by
-/// tests/libmpm/material/.
+/// exactly. Source: [Xu2007, eq. 13]. Valid up to Material::pressure_limit. Tension: see mpm::Tension.
+/// Checked by tests/libmpm/material_test.cpp.
 struct MieGrueneisen {
   double rho0;          ///< [kg/m^3]
   double inverse_rho0;  ///< [m^3/kg]
@@ -18,6 +18,7 @@ struct MieGrueneisen {
   double gamma0;        ///< [1]
   Tension tension;
   double spall_strength;  ///< [Pa], positive
+  double pressure_limit;  ///< upper end of its validity [Pa]
 
   explicit MieGrueneisen(const Material& m)
       : rho0(m.reference_density),
@@ -27,7 +28,8 @@ struct MieGrueneisen {
         s(c * (m.hugoniot_slope - 1) * (3 * m.hugoniot_slope - 1)),
         gamma0(m.gruneisen_gamma),
         tension(m.tension),
-        spall_strength(m.spall_strength) {}
+        spall_strength(m.spall_strength),
+        pressure_limit(m.pressure_limit) {}
 
   /// A state of volume: dilation J - 1 = rho0/rho - 1 and compression mu = rho/rho0 - 1.
   struct Volume {

@@ -12,7 +12,7 @@ namespace mpm {
 ///   s_trial = R s R^T + 2 G dt dev(D),   dp = (q_trial - sigma_Y) / (3 G + H)
 /// with p the equivalent plastic strain and beta the kinematic fraction. s, alpha in Pa, tension positive.
 /// Source: Simo & Hughes 1998, Computational Inelasticity, box 3.1; [Xu2007, eqs. 6 to 8].
-/// The return is exact for the step, whatever its size. Checked by tests/libmpm/material/.
+/// The return is exact for the step, whatever its size. Checked by tests/libmpm/material_test.cpp.
 struct J2 {
   double shear_modulus;      ///< G [Pa]
   double yield_stress;       ///< sigma_Y0 [Pa]; infinite: elastic

@@ -7,10 +7,10 @@
 
 namespace mpm::fast::MPM_ISA {
 
-/// Largest and smallest values of a sweep, lane by lane.
+/// Largest and smallest values of a sweep, and the volume beyond the equation of state [cells], lane by lane.
 template <class Real>
 struct Extremes {
-  Pack<Real> signal{}, low_dilation{}, high_dilation{}, pressure{}, low, high;
+  Pack<Real> signal{}, low_dilation{}, high_dilation{}, overpressed{}, low, high;
   typename Lanes<Real>::Mask broken{};
 };
 
@@ -164,7 +164,7 @@ MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Cons
     extremes.signal = larger(extremes.signal, speed + viscous + square_root(root));
   const Real infinite = __builtin_inf();
   extremes.broken |= ~((root + speed < infinite) & (magnitude(held) < infinite));
-  extremes.pressure = larger(extremes.pressure, held);
+  extremes.overpressed += held > k.pressure_limit ? f[initial_volume] : P{};
   extremes.low_dilation = smaller(extremes.low_dilation, dilation);
   extremes.high_dilation = larger(extremes.high_dilation, dilation);
 }

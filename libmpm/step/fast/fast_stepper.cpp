@@ -22,6 +22,7 @@ Constants<double> constants_of(const MaterialModel& m, const Grid& grid) {
   k.least_sound_square = 0.1 * eos.c * eos.inverse_rho0;
   k.pressure_floor =
       eos.tension == Tension::cutoff ? -eos.spall_strength : -std::numeric_limits<double>::infinity();
+  k.pressure_limit = eos.pressure_limit;
   k.shear_modulus = m.strength.shear_modulus;
   k.yield_stress = m.strength.yield_stress;
   k.isotropic_modulus = m.strength.isotropic_modulus;
@@ -68,8 +69,9 @@ StepReport FastStepper::step(State& state, double dt) {
   if (!blocks_) begin(state);
   std::swap(now_, next_);
   now_->reflect_sides();
+  if (state.floor == Floor::mirror) now_->reflect_floor();
   kernels_.move(now_->nodes(), now_->first_row(), now_->last_row(), dt);
-  now_->push_off_wall();
+  if (state.floor == Floor::impact_wall) now_->push_off_wall();
   if (++since_sort_ >= steps_between_sorts) {
     blocks_->sort(now_->nodes().stride);
     since_sort_ = 0;
@@ -87,7 +89,7 @@ StepReport FastStepper::step(State& state, double dt) {
   report.largest_signal = sums.broken ? std::numeric_limits<double>::quiet_NaN() : sums.largest_signal;
   report.smallest_dilation = sums.smallest_dilation;
   report.largest_dilation = sums.largest_dilation;
-  report.largest_pressure = sums.largest_pressure;
+  report.overpressed_mass = unit * sums.overpressed;
   report.transfer_heat = unit * sums.transfer_heat;
   report.wall_impulse = unit * Vec2(sums.momentum_x, sums.momentum_y);
   report.highest = grid.origin().y() + highest_ * grid.cell().y();

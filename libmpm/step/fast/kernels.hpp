@@ -49,17 +49,19 @@ struct Nodes {
 template <class Real>
 struct Constants {
   Real rho0, inverse_rho0;
-  Real cold_c, cold_d, cold_s, gamma0, least_sound_square, pressure_floor;  ///< see MieGrueneisen
-  Real shear_modulus, yield_stress, isotropic_modulus, kinematic_modulus;   ///< see J2
-  Real inverse_return;                                                      ///< 1 / (3 G + H)
-  Real linear_viscosity, quadratic_viscosity, viscous_length;               ///< see ArtificialViscosity
-  Real force_x, force_y;                                                    ///< 1 / (rho0 hx), 1 / (rho0 hy)
+  Real cold_c, cold_d, cold_s, gamma0, least_sound_square, pressure_floor,
+      pressure_limit;                                                      ///< see MieGrueneisen
+  Real shear_modulus, yield_stress, isotropic_modulus, kinematic_modulus;  ///< see J2
+  Real inverse_return;                                                     ///< 1 / (3 G + H)
+  Real linear_viscosity, quadratic_viscosity, viscous_length;              ///< see ArtificialViscosity
+  Real force_x, force_y;                                                   ///< 1 / (rho0 hx), 1 / (rho0 hy)
   Real inverse_cell_x, inverse_cell_y;
 };
 
 /// Sums over the particles of a sweep.
 struct SweepReport {
-  double largest_signal, smallest_dilation, largest_dilation, largest_pressure;
+  double largest_signal, smallest_dilation, largest_dilation;
+  double overpressed;             ///< mass beyond the equation of state [rho0 hx hy]
   double lowest, highest;         ///< y of the particles after the step [cells]
   double transfer_heat;           ///< [rho0 hx hy m^2/s^2]
   double momentum_x, momentum_y;  ///< gained [rho0 hx hy m/s]

@@ -41,22 +41,24 @@ void NodeGrid<Real>::use(double lowest, double highest) {
   if (highest >= 0 && highest + 2 < last_) last_ = static_cast<int>(highest) + 2;
 }
 
+/// A node on a mirror: it and its image are one, of twice the mass, momentum and force.
 template <class Real>
-void NodeGrid<Real>::stop(int i, int j) {
+void NodeGrid<Real>::stop(int i, int j, int axis) {
   Real* n = motion(i, j);
-  n[0] = n[2] = 0;
+  for (int k = 0; k < 4; ++k) n[k] = k % 2 == axis ? Real(0) : 2 * n[k];
+  nodes_.mass[index(i, j)] *= 2;
 }
 
 /// Adds to each of two nodes the image of the other.
 template <class Real>
-void NodeGrid<Real>::join(int i, int image_i, int j) {
-  Real *a = motion(i, j), *b = motion(image_i, j);
+void NodeGrid<Real>::join(int i, int j, int image_i, int image_j, int axis) {
+  Real *a = motion(i, j), *b = motion(image_i, image_j);
   for (int k = 0; k < 4; ++k) {
-    const Real sign = k % 2 == 0 ? -1 : 1;
+    const Real sign = k % 2 == axis ? -1 : 1;
     a[k] += sign * b[k];
     b[k] = sign * a[k];
   }
-  Real &mass = nodes_.mass[index(i, j)], &image_mass = nodes_.mass[index(image_i, j)];
+  Real &mass = nodes_.mass[index(i, j)], &image_mass = nodes_.mass[index(image_i, image_j)];
   mass += image_mass;
   image_mass = mass;
 }
@@ -65,10 +67,19 @@ template <class Real>
 void NodeGrid<Real>::reflect_sides() {
   const int right = nodes_.columns;
   for (int j = first_; j <= last_; ++j) {
-    stop(0, j);
-    join(1, -1, j);
-    stop(right, j);
-    join(right - 1, right + 1, j);
+    stop(0, j, 0);
+    join(1, j, -1, j, 0);
+    stop(right, j, 0);
+    join(right - 1, j, right + 1, j, 0);
+  }
+}
+
+template <class Real>
+void NodeGrid<Real>::reflect_floor() {
+  if (first_ > -1) return;
+  for (int i = -1; i <= nodes_.columns + 1; ++i) {
+    stop(i, 0, 1);
+    join(i, 1, i, -1, 1);
   }
 }
 

@@ -23,6 +23,8 @@ class NodeGrid {
 
   /// Side walls as mirrors (boundary/mirror.hpp), before momentum and force become motion.
   void reflect_sides();
+  /// The floor as a mirror, after them.
+  void reflect_floor();
   /// The impact wall (boundary/impact_wall.hpp), afterwards. The heat of the contact is left in `square`,
   /// where particles take it up together with that of the transfer.
   void push_off_wall();
@@ -36,8 +38,8 @@ class NodeGrid {
     return static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(nodes_.stride) +
            static_cast<std::size_t>(i + 1);
   }
-  void stop(int i, int j);
-  void join(int i, int image_i, int j);
+  void stop(int i, int j, int axis);
+  void join(int i, int j, int image_i, int image_j, int axis);
   void move_to(int i, int j, Real velocity_x, Real velocity_y);
 
   AlignedArray<Real> motion_, mass_, square_;

@@ -178,7 +178,7 @@ struct Sweep {
       const auto lower = [](double& least, double v) { least = v < least ? v : least; };
       raise(report.largest_signal, extremes.signal[lane]);
       raise(report.largest_dilation, extremes.high_dilation[lane]);
-      raise(report.largest_pressure, extremes.pressure[lane]);
+      report.overpressed += extremes.overpressed[lane];
       raise(report.highest, extremes.high[lane]);
       lower(report.lowest, extremes.low[lane]);
       lower(report.smallest_dilation, extremes.low_dilation[lane]);

@@ -121,6 +121,12 @@ TEST(BadInput, CommandLines) {
        "--set: cell_sise = 1 um: unknown key; did you mean cell_size?"},
       {"check good.toml --set cell_size", "--set: cell_size: not KEY=VALUE; "},
       {"check good.toml --set cell_size='3 um'", "--set: cell_size = \"3 um\": cannot be run; "},
+      {"check good.toml --set 'cavity_radius={ from = 1, to = 1.5, count = 1000001, unit = \"um\" }'",
+       "--set: cavity_radius = { from = 1, to = 1.5, count = 1000001, unit = \"um\" }: makes 1000001 jobs, "
+       "more than 1000000; sweep fewer values, or say --yes"},
+      {"check good.toml --set mode=random --set samples=1000001 --set seed=1 "
+       "--set 'cavity_radius={ from = 1, to = 1.5, unit = \"um\" }'",
+       "--set: samples = 1000001: more than 1000000 jobs; "},
       {"plan absent.toml", "absent.toml: no such file; "},
       {"plan good.toml --set 'cavity_radius=[]'", "--set: cavity_radius = []: no values; "},
       {"check", "FILE is required"},
@@ -135,6 +141,64 @@ TEST(BadInput, CommandLines) {
     EXPECT_EQ(outcome.out, "") << one.arguments;
   }
   EXPECT_EQ(folder.contents(), before);
+}
+
+/// What stands in the results folder already stays as it is, and no folder comes into being.
+TEST(BadInput, ARunThatIsRefusedLeavesTheResultsAlone) {
+  for (const bool has_results : {false, true}) {
+    const Folder folder;
+    std::ofstream(folder.path() / "good.toml") << good_study;
+    for (const char* file : {"too_many_jobs.toml", "unknown_key.toml"})
+      fs::copy_file(gallery / file, folder.path() / file);
+    if (has_results) {
+      fs::create_directory(folder.path() / "results");
+      std::ofstream(folder.path() / "results" / "catalog.db") << "not looked at";
+    }
+    const auto before = folder.contents();
+    const struct {
+      const char* arguments;
+      const char* says;
+    } cases[] = {
+        {"run too_many_jobs.toml", "too_many_jobs.toml:1:1: jobs = 1001000: more than 1000000 jobs; "},
+        {"run good.toml --set 'impact_speed={ from = 1, to = 2, count = 1000001, unit = \"m/s\" }'",
+         "--set: impact_speed = "},
+        {"run good.toml unknown_key.toml", "unknown_key.toml:"},
+        {"run absent.toml", "absent.toml: no such file; "},
+    };
+    for (const auto& one : cases) {
+      const Outcome outcome = run(folder, one.arguments);
+      EXPECT_EQ(outcome.exit_code, 2) << one.arguments;
+      EXPECT_THAT(outcome.err, StartsWith(one.says)) << one.arguments;
+      EXPECT_EQ(outcome.out, "") << one.arguments;
+      EXPECT_EQ(folder.contents(), before) << one.arguments;
+    }
+  }
+}
+
+TEST(BadInput, AResultsFolderThatCannotBeMade) {
+  const Folder folder;
+  std::ofstream(folder.path() / "good.toml") << good_study;
+  const auto before = folder.contents();
+  // /proc refuses everybody, also root.
+  const Outcome outcome = run(folder, "run good.toml --results /proc/results");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, StartsWith("/proc/results: cannot be used as the results folder"));
+  EXPECT_EQ(folder.contents(), before);
+}
+
+TEST(BadInput, OutputThatIsLostIsAFailure) {
+  const Folder folder;
+  std::ofstream(folder.path() / "good.toml") << good_study;
+  for (const char* arguments : {"plan good.toml > /dev/full", "check good.toml > /dev/full",
+                                "run good.toml -n > /dev/full", "--help > /dev/full"}) {
+    const Folder streams;
+    const std::string err = (streams.path() / "err").string();
+    const std::string command =
+        "cd '" + folder.path().string() + "' && '" MPMSTUDY_PROGRAM "' " + arguments + " 2> '" + err + "'";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1) << arguments;
+    EXPECT_THAT(text_of(err), HasSubstr("standard output could not be written")) << arguments;
+  }
 }
 
 TEST(BadInput, GoodFilesBesideBadOnes) {

@@ -137,6 +137,54 @@ TEST_F(Program, a_newer_catalog_is_refused_with_2) {
   }
 }
 
+TEST_F(Program, rows_that_are_lost_end_with_1) {
+  open_for_writing(results);
+  for (const char* verb : {"query 'SELECT 1'", "status", "export --what jobs"}) {
+    const std::string command =
+        std::string(PROGRAM " ") + verb + " --results " + results + " > /dev/full 2> " + log;
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1) << verb;
+    std::ifstream file(log);
+    std::stringstream text;
+    text << file.rdbuf();
+    EXPECT_THAT(text.str(), HasSubstr("standard output could not be written")) << verb;
+  }
+}
+
+TEST_F(Program, jobs_that_no_study_has_are_listed_and_counted) {
+  ASSERT_EQ(run({"run", smoke, "--results", results, "-q"}), 0) << output;
+  {
+    const auto db = open_for_writing(results);
+    db->exec("UPDATE job SET status = 'failed', reason = 'broke' WHERE id = 1");
+    db->exec("DELETE FROM study_job WHERE job_id = 1");
+  }
+  ASSERT_EQ(run({"status", "--results", results}), 0) << output;
+  EXPECT_THAT(output, testing::ContainsRegex("smoke +0 +0 +1 +0 +0\n\\(no study\\) +0 +0 +0 +1 +0\n"));
+  EXPECT_THAT(output, testing::ContainsRegex("failed\n  [0-9a-f]{12}  \\(no study\\)  broke"));
+  ASSERT_EQ(run({"status", "--json", "--results", results}), 0) << output;
+  const auto json = nlohmann::json::parse(output);
+  EXPECT_EQ(json["no_study"]["failed"], 1);
+  EXPECT_TRUE(json["failed"][0]["study"].is_null());
+  // Of a study that is named, only its own jobs.
+  ASSERT_EQ(run({"status", "smoke", "--results", results}), 0) << output;
+  EXPECT_THAT(output, testing::Not(HasSubstr("no study")));
+}
+
+TEST_F(Program, set_name_keeps_the_jobs_of_both_runs) {
+  const auto count = [&](const std::string& study) {
+    return query(results, "SELECT key FROM jobs WHERE study = '" + study + "'").rows.size();
+  };
+  ASSERT_EQ(run({"run", smoke, "--results", results, "-q"}), 0) << output;
+  ASSERT_EQ(run({"run", smoke, "--results", results, "-q", "--set", "impact_speed=300 m/s", "--set",
+                 "name=faster", "--set", "title=Smoke, faster"}),
+            0)
+      << output;
+  EXPECT_EQ(count("smoke"), 2u);
+  EXPECT_EQ(count("faster"), 2u);
+  EXPECT_EQ(
+      std::get<std::string>(query(results, "SELECT title FROM studies WHERE name = 'faster'").rows[0][0]),
+      "Smoke, faster");
+}
+
 TEST_F(Program, query_that_would_write_ends_with_2) {
   open_for_writing(results);
   for (const char* sql : {"DELETE FROM job", "ATTACH 'x.db' AS x", "SELECT load_extension('x')",

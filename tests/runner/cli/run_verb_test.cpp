@@ -82,7 +82,7 @@ TEST_F(RunVerb, a_dry_run_writes_nothing) {
   options.dry_run = true;
   run();
   EXPECT_THAT(output, testing::HasSubstr("0 jobs would run"));
-  EXPECT_THAT(output, testing::HasSubstr("2 are done"));
+  EXPECT_THAT(output, testing::HasSubstr("2 done"));
 }
 
 TEST_F(RunVerb, failures_end_with_1) {

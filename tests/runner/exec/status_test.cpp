@@ -61,17 +61,40 @@ TEST(PlainStatusTest, a_line_for_each_start_and_end) {
   status->job_finished(fakes::job(2), {JobStatus::failed, "step 3: broke", 0, 0, 1, 1});
   status->run_finished({1, 1, 3, 0, 32, 5e6, "results/catalog.db", ""});
   EXPECT_THAT(out.str(), HasSubstr("2 jobs to run on 2 workers"));
-  EXPECT_THAT(out.str(), HasSubstr("3 jobs are done already"));
+  EXPECT_THAT(out.str(), HasSubstr("3 jobs done already"));
   EXPECT_THAT(out.str(), HasSubstr("started: 1001 particles"));
   EXPECT_THAT(out.str(), Not(HasSubstr(" 10 %")));
   EXPECT_THAT(out.str(), HasSubstr(" 50 %"));
   EXPECT_THAT(out.str(), Not(HasSubstr(" 60 %")));
   EXPECT_THAT(out.str(),
-              HasSubstr("[1/2] 00000000 done in 3.2 s (1000 particles, 500 steps, 5.00 M/s updates)"));
+              HasSubstr("[1/2] 000000000000 done in 3.2 s (1000 particles, 500 steps, 5.00 M/s updates)"));
   EXPECT_THAT(out.str(), HasSubstr("FAILED: step 3: broke"));
   EXPECT_THAT(out.str(), HasSubstr("1 done, 1 failed, 3 reused, 0 left"));
   EXPECT_THAT(out.str(), HasSubstr("results/catalog.db"));
   EXPECT_THAT(out.str(), Not(HasSubstr("\x1b")));
+}
+
+TEST(PlainStatusTest, a_stopped_job_is_not_counted) {
+  std::ostringstream plain, terminal;
+  const auto clock = [] { return 0.0; };
+  TerminalOptions options;
+  options.width = [] { return std::size_t{200}; };
+  const std::pair<std::ostringstream*, std::unique_ptr<Status>> both[] = {
+      {&plain, make_plain_status(plain, {}, clock)},
+      {&terminal, make_terminal_status(terminal, options, clock)}};
+  for (const auto& [out, status] : both) {
+    status->run_started({2, 0, 0, 0, 12, 1});
+    status->job_finished(fakes::job(1), {JobStatus::done, "", 1000, 500, 3.2, 0.1});
+    status->job_finished(fakes::job(2), {JobStatus::planned, "", 0, 0, 0, 0});
+    EXPECT_THAT(out->str(),
+                HasSubstr("[1/2] " + short_key(fakes::job(2).key) + " stopped, will be run again\n"));
+    EXPECT_THAT(out->str(), Not(HasSubstr("[2/2]")));
+  }
+}
+
+TEST(PlainStatusTest, one_is_not_many) {
+  EXPECT_THAT(start_text({1, 1, 1, 1, 12, 1}), HasSubstr("1 job to run on 1 worker,"));
+  EXPECT_THAT(start_text({1, 1, 1, 1, 12, 1}), Not(HasSubstr("1 jobs")));
 }
 
 TEST(PlainStatusTest, quiet_says_failures_and_the_summary) {

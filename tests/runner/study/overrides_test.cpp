@@ -28,6 +28,8 @@ TEST(Overrides, ReplaceWhatTheFileSays) {
   EXPECT_EQ(with("particles_per_cell", "9").scenes[0].numerics.particles_per_cell, 9);
   EXPECT_EQ(with("scheme", "bspline2").scenes[0].numerics.scheme, mpm::ShapeFunction::bspline2);
   EXPECT_EQ(with("name", "other").name, "other");
+  EXPECT_EQ(with("title", "Another title").title, "Another title");
+  EXPECT_EQ(with("name", "2026").name, "2026");  // a string even where the shell's text looks like a number
 }
 
 TEST(Overrides, AddWhatTheFileLeavesOut) {

@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "libmpm/measure/measurement.hpp"
+
+namespace mpm {
+
+/// The inner surface of an imploding shell, by markers that move with the material.
+///
+/// Radius: mean distance of the markers from the axis. Stop: its minimum over the run; time by the parabola
+/// through the three steps around it. The run ends once 1.3 times the stop time has passed, or at end_time.
+/// Metrics, if the shell stopped before the end: stop_radius_m, stop_time_s, roundness ((largest - smallest)
+/// / mean distance at the stop). Outcome: `arrested` if it stopped, else `undecided`.
+class Shell : public Measurement {
+ public:
+  Shell(const Scene&, const State&);
+  void after_step(const State&, const StepReport&, double dt) override;
+  RowRange rows_read(const Grid&) const override;
+  bool decided() const override;
+  void finish(const State&, RunResult&) override;
+
+ private:
+  Vec2 center_;
+  std::vector<Vec2> markers_;
+  std::vector<double> times_, radii_;  ///< step by step [s], [m]
+  std::size_t stop_ = 0;               ///< step of the smallest radius so far
+  double roundness_ = 0;               ///< at that step
+};
+
+}  // namespace mpm

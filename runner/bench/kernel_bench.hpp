@@ -1,0 +1,33 @@
+#pragma once
+/// How fast the time step is: the strong cavity scene (1120 m/s, 4 particles a cell), stepped for a while by
+/// the fast step and by the reference in turn, everything on but the measures.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "libmpm/scene/scene.hpp"
+
+namespace mpmstudy {
+
+struct KernelBenchRow {
+  std::string scheme;     ///< shape functions
+  std::string kernel;     ///< fast, reference
+  std::string precision;  ///< double
+  int threads = 1;
+  std::int64_t particles = 0;
+  double million_particle_updates_per_s = 0;  ///< on one core, median of the repetitions
+  double ratio_to_reference = 0;              ///< of the same run
+  double bytes_per_particle = 0;              ///< particles, nodes and what the step keeps beside them
+};
+
+struct KernelBenchOptions {
+  std::vector<std::int64_t> particles = {10000, 150000};  ///< wanted; the lattice gives about that many
+  int repetitions = 5;                                    ///< of which the median counts
+  double seconds = 0.3;                                   ///< of one repetition
+};
+
+/// Rows of both kernels for every scheme and size. Kernels take turns, so that a machine that changes its
+/// speed changes the ratio little.
+std::vector<KernelBenchRow> bench_kernel(const KernelBenchOptions&);
+
+}  // namespace mpmstudy

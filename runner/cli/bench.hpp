@@ -1,0 +1,16 @@
+#pragma once
+/// `mpmstudy bench kernel`: particle updates a second of the time step on this machine.
+#include "runner/bench/kernel_bench.hpp"
+#include "runner/cli/cli.hpp"
+
+namespace mpmstudy {
+
+struct BenchOptions {
+  KernelBenchOptions kernel;
+  bool json = false;
+};
+
+void setup_bench(CLI::App&);
+int run_bench_kernel(const BenchOptions&);
+
+}  // namespace mpmstudy

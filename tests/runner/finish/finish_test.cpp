@@ -1,0 +1,114 @@
+// A study from file to fit and figure, by the program itself: three coarse jobs of planar impact.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "runner/catalog/query.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* study = R"(
+schema = 1
+name   = "finish"
+title  = "Stress behind the shock"
+scene  = "planar-impact"
+[parameters]
+material     = "aluminium"
+impact_speed = { values = [100, 200, 300, 400], unit = "m/s" }
+block_width  = "1.6 um"
+block_height = "8 um"
+end_time     = "1.1 ns"
+[numerics]
+cell_size = "0.2 um"
+[measure]
+snapshots = ["1 ns"]
+[[fit]]
+x     = "impact_speed"
+y     = "shock_normal_stress_Pa"
+model = "quadratic"
+[[figure]]
+name  = "stress"
+title = "Stress behind the shock"
+kind  = "xy"
+x     = "impact_speed"
+y     = "shock_normal_stress_Pa"
+[[figure]]
+name  = "field"
+title = "Pressure"
+kind  = "fields"
+y     = "pressure"
+)";
+
+class Finish : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::array<char, 32> name{"/tmp/finish-test-XXXXXX"};
+    folder_ = mkdtemp(name.data());
+    std::ofstream(folder_ / "finish.toml") << study;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Exit code and what it printed.
+  int mpmstudy(const std::string& arguments, std::string& printed) const {
+    const std::string command =
+        std::string(MPMSTUDY) + " " + arguments + " --results " + results().string() + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> buffer{};
+    while (fgets(buffer.data(), buffer.size(), pipe)) printed += buffer.data();
+    return WEXITSTATUS(pclose(pipe));
+  }
+  fs::path file() const { return folder_ / "finish.toml"; }
+  fs::path results() const { return folder_ / "results"; }
+
+  fs::path folder_;
+};
+
+TEST_F(Finish, FitsReachTheCatalogAndFiguresTheFolder) {
+  std::string printed;
+  ASSERT_EQ(mpmstudy("run " + file().string(), printed), 0) << printed;
+  // Two waves of nearly constant speed: sigma = rho0 C u + ..., with C from 5.4 to 5.9 km/s.
+  const auto rows = mpmstudy::query(results(),
+                                    "SELECT coefficient, value, standard_error, r2, unit, against FROM fits "
+                                    "WHERE study = 'finish' ORDER BY 1");
+  ASSERT_EQ(rows.rows.size(), 3u);
+  EXPECT_NEAR(std::get<double>(rows.rows[1][1]), 2700 * 5400, 0.03 * 2700 * 5400);
+  EXPECT_GT(std::get<double>(rows.rows[1][3]), 0.9999);
+  EXPECT_GT(std::get<double>(rows.rows[1][2]), 0);
+  EXPECT_EQ(std::get<std::string>(rows.rows[1][4]), "Pa/(m/s)");
+  EXPECT_EQ(std::get<std::string>(rows.rows[1][5]), "impact_speed");
+  for (const char* name : {"stress.png", "stress.svg", "field-1.png", "field-4.svg", "field-1-grey.png"})
+    EXPECT_TRUE(fs::exists(results() / "figures" / name)) << name;
+  EXPECT_NE(printed.find((results() / "figures" / "stress.png").string()), std::string::npos);
+
+  // Drawn again from the catalog, to the same bytes.
+  const fs::path svg = results() / "figures" / "stress.svg";
+  const auto read = [&] {
+    std::ifstream in(svg);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string before = read();
+  fs::remove(svg);
+  printed.clear();
+  EXPECT_EQ(mpmstudy("figures " + file().string(), printed), 0) << printed;
+  EXPECT_EQ(read(), before);
+}
+
+TEST_F(Finish, FiguresSayWhatIsNotDone) {
+  std::string printed;
+  ASSERT_EQ(
+      mpmstudy("run " + file().string() + " --set impact_speed='{ values = [100, 200], unit = \"m/s\" }' -q",
+               printed),
+      0)
+      << printed;
+  printed.clear();
+  EXPECT_EQ(mpmstudy("figures " + file().string(), printed), 75);
+  EXPECT_NE(printed.find("2 of 4 jobs are not done"), std::string::npos) << printed;
+}
+
+}  // namespace
