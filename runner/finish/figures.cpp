@@ -75,7 +75,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
         study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == request.y; });
     // Several groups have several curves; one formula under the title would speak of one of them only.
     if (groups.size() == 1 && fit != study.fits.end())
-      plot.fit = analysis::fit_polynomial(*analysis::fit_model(fit->model), c.x, c.y, c.y_error);
+      plot.fit = analysis::fit_polynomial(*analysis::fit_model(fit->model), c.x, c.y);
     plot.series.push_back({group.label.empty() ? "simulation" : group.label, std::move(c.x), std::move(c.y),
                            std::move(c.y_error)});
   }

@@ -41,8 +41,7 @@ Fits fit_study(const Study& study, const StudyResults& results) {
     const std::string_view x_unit = mpm::find_quantity(request.x)->unit;
     for (const Group& group : group_jobs(study, results, request.x)) {
       const Column c = column_of(results, group, request.x, request.y);
-      const analysis::Fit fit =
-          analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y, c.y_error);
+      const analysis::Fit fit = analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y);
       const std::string model = group.label.empty() ? request.model : request.model + ", " + group.label;
       if (!fit.ok()) {
         fits.problems.push_back(

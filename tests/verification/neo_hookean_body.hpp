@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "libmpm/boundary/impact_wall.hpp"
 #include "libmpm/boundary/mirror.hpp"
 #include "libmpm/step/g2p.hpp"
 #include "libmpm/step/grid_update.hpp"
@@ -46,9 +47,10 @@ struct NeoHookeanBody {
     }
     for (mpm::Node& n : grid.nodes()) n.own_mass = n.mass;
     mpm::reflect_sides(grid, top + 1);
-    mpm::reflect_floor(grid, state.floor, dt);
+    if (state.floor == mpm::Floor::mirror) mpm::reflect_floor(grid);
     if (mirror_at_top) reflect_top(top);
     mpm::update_grid(grid, dt);
+    if (state.floor == mpm::Floor::impact_wall) mpm::apply_impact_wall(grid, dt);
     mpm::g2p<Shape>(ps, grid, dt, state.velocity_gradient);
     for (std::size_t p = 0; p < ps.size(); ++p) {
       mpm::Mat2& f = deformation[p];
