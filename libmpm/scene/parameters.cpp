@@ -99,6 +99,7 @@ constexpr std::string_view hardening_names[] = {"norm", "equivalent", "tangent"}
 constexpr std::string_view scheme_names[] = {"gimp", "bspline2"};
 constexpr std::string_view symmetry_names[] = {"half", "full"};
 constexpr std::string_view kernel_names[] = {"fast", "reference"};
+constexpr std::string_view precision_names[] = {"double", "float"};
 constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact", "imploding-shell"};
 
 #define CHOICE(member)                                           \
@@ -115,6 +116,8 @@ const Choice choice_table[] = {
      every, CHOICE(numerics.symmetry)},
     {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against",
      N, kernel_names, every, CHOICE(numerics.kernel)},
+    {"precision", "precision", "numbers of the fast step; the reference step has double only", N,
+     precision_names, every, CHOICE(numerics.precision)},
 };
 #undef CHOICE
 

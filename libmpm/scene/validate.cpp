@@ -31,6 +31,10 @@ class Report {
   void require(bool fine, std::string_view name, std::string allowed) {
     if (!fine) add(name, std::move(allowed));
   }
+  void add_choice(std::string_view name, std::string allowed) {
+    const Choice* c = find_choice(name);
+    problems_.push_back({std::string(name), std::string(c->allowed[c->get(scene_)]), std::move(allowed)});
+  }
   bool empty() const { return problems_.empty(); }
   std::vector<Problem> take() { return std::move(problems_); }
 
@@ -64,6 +68,13 @@ void check_numerics(const Scene& s, Report& report) {
   report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");
   report.require(m.hardening_measure != HardeningMeasure::tangent || m.hardening_modulus < m.youngs_modulus,
                  "hardening_modulus", "less than youngs_modulus when hardening_measure is \"tangent\"");
+}
+
+/// Words that exclude each other.
+void check_choices(const Scene& s, Report& report) {
+  const Numerics& n = s.numerics;
+  if (n.kernel == Kernel::reference && n.precision != Precision::double_precision)
+    report.add_choice("precision", "double when kernel is \"reference\"");
 }
 
 void check_block(const Scene& s, Report& report) {
@@ -149,6 +160,7 @@ std::vector<Problem> find_problems(const Scene& s) {
   check_ranges(s, report);
   if (!report.empty()) return report.take();  // what follows compares numbers that have to be numbers
   check_numerics(s, report);
+  check_choices(s, report);
   check_size(s, report);
   if (s.kind == SceneKind::imploding_shell) {
     check_shell(s, report);

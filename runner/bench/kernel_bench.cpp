@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
+#include <limits>
 #include <memory>
 #include <numbers>
 
 #include "libmpm/mpm.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/dispatch.hpp"
+#include "runner/bench/processor_seconds.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -30,11 +31,9 @@ mpm::Scene strong_cavity(std::int64_t particles) {
   return s;
 }
 
-double processor_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
+/// Floating-point operations of a particle update (a fused multiply-add is two), of aluminium with isotropic
+/// hardening: counted in the instructions that a run of 15000 particles executes. See PERFORMANCE.md.
+double operations(mpm::ShapeFunction scheme) { return scheme == mpm::ShapeFunction::gimp ? 712 : 658; }
 
 /// A run that can be taken further, piece by piece.
 class Walk {
@@ -62,6 +61,8 @@ class Walk {
            (processor_seconds() - start);
   }
 
+  mpm::StepTimes times() const { return stepper_->times(); }
+
   double bytes_per_particle() const {
     const mpm::Particles& p = state_.particles;
     const std::size_t each = sizeof(p.position[0]) + sizeof(p.velocity[0]) + sizeof(p.half_size[0]) +
@@ -88,31 +89,60 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<KernelBenchRow> bench_kernel(const KernelBenchOptions& options) {
-  std::vector<KernelBenchRow> rows;
+KernelBench bench_kernel(const KernelBenchOptions& options) {
+  KernelBench bench;
+  bench.roofline = measure_roofline(options.repetitions, options.seconds);
   const mpm::Choice& schemes = *mpm::find_choice("scheme");
+  const mpm::Choice& precisions = *mpm::find_choice("precision");
   for (std::size_t scheme = 0; scheme < schemes.allowed.size(); ++scheme)
     for (const std::int64_t wanted : options.particles) {
       mpm::Scene scene = strong_cavity(wanted);
       schemes.set(scene, scheme);
-      scene.numerics.kernel = mpm::Kernel::fast;
-      Walk fast(scene);
+      if (options.elastic) scene.material.yield_stress = std::numeric_limits<double>::infinity();
+      scene.material.kinematic_fraction = options.kinematic ? 0.5 : 0;
+      std::vector<Walk> fast;
+      for (std::size_t precision = 0; precision < precisions.allowed.size(); ++precision) {
+        precisions.set(scene, precision);
+        fast.emplace_back(scene);
+      }
+      scene.numerics.precision = mpm::Precision::double_precision;
       scene.numerics.kernel = mpm::Kernel::reference;
       Walk reference(scene);
-      std::vector<double> fast_rates, reference_rates, ratios;
+      std::vector<std::vector<double>> rates(fast.size()), ratios(fast.size());
+      std::vector<double> reference_rates;
       for (int k = 0; k < options.repetitions; ++k) {
-        fast_rates.push_back(fast.rate(options.seconds));
         reference_rates.push_back(reference.rate(options.seconds));
-        ratios.push_back(fast_rates.back() / reference_rates.back());
+        for (std::size_t p = 0; p < fast.size(); ++p) {
+          rates[p].push_back(fast[p].rate(options.seconds));
+          ratios[p].push_back(rates[p].back() / reference_rates.back());
+        }
       }
-      const auto row = [&](const char* kernel, const Walk& walk, double rate, double ratio) {
-        rows.push_back({std::string(schemes.allowed[scheme]), kernel, "double", 1,
-                        static_cast<std::int64_t>(walk.particles()), rate, ratio, walk.bytes_per_particle()});
+      const auto row = [&](const char* kernel, std::size_t precision, const Walk& walk, double rate) {
+        KernelBenchRow r;
+        r.scheme = schemes.allowed[scheme];
+        r.kernel = kernel;
+        r.precision = precisions.allowed[precision];
+        r.particles = static_cast<std::int64_t>(walk.particles());
+        r.million_particle_updates_per_s = rate;
+        r.ratio_to_reference = 1;
+        r.bytes_per_particle = walk.bytes_per_particle();
+        return r;
       };
-      row("fast", fast, median(fast_rates), median(ratios));
-      row("reference", reference, median(reference_rates), 1);
+      for (std::size_t p = 0; p < fast.size(); ++p) {
+        KernelBenchRow r = row("fast", p, fast[p], median(rates[p]));
+        r.ratio_to_reference = median(ratios[p]);
+        // everything that a step keeps is read and written once
+        const KernelWork work{operations(scene.numerics.scheme), 2 * r.bytes_per_particle};
+        r.roofline_share =
+            1e6 * r.million_particle_updates_per_s / roofline_rate(bench.roofline, work, p == 1);
+        const mpm::StepTimes t = fast[p].times();
+        const double all = t.sort + t.grid + t.particles;
+        r.sort_share = t.sort / all, r.grid_share = t.grid / all;
+        bench.rows.push_back(std::move(r));
+      }
+      bench.rows.push_back(row("reference", 0, reference, median(reference_rates)));
     }
-  return rows;
+  return bench;
 }
 
 }  // namespace mpmstudy
