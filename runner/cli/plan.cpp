@@ -105,7 +105,7 @@ void print_text(const Study& study, const Plan& plan, const Speed& speed, int wo
   fmt::print("\n{} job{}{}, {} of CPU, {} on -j {} (at {:.3g} particle updates a second and core, {})\n",
              plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s",
              same == 0 ? "" : fmt::format(" ({} more are the same as one of these)", same),
-             duration(cpu_seconds(plan)), duration(wall_seconds(plan, workers)), workers,
+             duration(cpu_seconds(first_jobs(plan))), duration(wall_seconds(first_jobs(plan), workers)), workers,
              speed.updates_per_second, speed.source());
   if (study.search)
     fmt::print("Search for the smallest {} with outcome {}: the jobs above are its first, at the lower end\n",
@@ -133,9 +133,9 @@ Json to_json(const Study& study, const Plan& plan, const Speed& speed, int worke
           {"scene", mpm::to_string(study.kind)},
           {"swept", study.swept},
           {"jobs", std::move(jobs)},
-          {"cpu_seconds", cpu_seconds(plan)},
+          {"cpu_seconds", cpu_seconds(first_jobs(plan))},
           {"workers", workers},
-          {"wall_seconds", wall_seconds(plan, workers)},
+          {"wall_seconds", wall_seconds(first_jobs(plan), workers)},
           {"updates_per_second", speed.updates_per_second},
           {"updates_per_second_measured", speed.measured}};
 }

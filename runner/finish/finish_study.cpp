@@ -4,10 +4,12 @@
 
 #include "runner/finish/figures.hpp"
 #include "runner/finish/fits.hpp"
+#include "runner/ladder/intervals.hpp"
 
 namespace mpmstudy {
 
 void finish_study(const Study& study, const std::filesystem::path& folder, CatalogWriter& writer) {
+  writer.replace_intervals(study.name, intervals_of(study, folder));
   const StudyResults results = read_results(study, folder);
   Fits fits = fit_study(study, results);
   for (const std::string& problem : fits.problems)

@@ -31,6 +31,9 @@ constexpr std::string_view results[] = {"collapsibility",
                                         "lower_upper_area_ratio",
                                         "centroid_shift_m",
                                         "final_void_area_m2",
+                                        "final_area_scatter_m2",
+                                        "final_area_difference_m2",
+                                        "largest_collapsibility",
                                         "cavity_closed_time_s",
                                         "cavity_joined_outside_time_s",
                                         "contour_crossed_time_s",
@@ -58,6 +61,9 @@ constexpr std::string_view fields[] = {"velocity_x",   "velocity_y",
                                        "von_mises",    "equivalent_plastic_strain",
                                        "plastic_work", "specific_internal_energy",
                                        "temperature"};
+
+/// Of these, what the run cost and what it was given.
+constexpr std::string_view not_measured[] = {"initial_area_m2", "particles", "steps", "wall_s", "cpu_s"};
 
 std::span<const std::string_view> all_results() { return results; }
 std::span<const std::string_view> all_fields() { return fields; }
@@ -141,6 +147,14 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
 }
 
 }  // namespace
+
+std::vector<std::string_view> measured_results() {
+  std::vector<std::string_view> names;
+  for (const std::string_view name : results)
+    if (std::find(std::begin(not_measured), std::end(not_measured), name) == std::end(not_measured))
+      names.push_back(name);
+  return names;
+}
 
 bool is_file_name(std::string_view name) {
   const auto plain = [](char c) {

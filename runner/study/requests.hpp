@@ -25,6 +25,9 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Problems&);
 
+/// Results that a scene measures, and that can so have an interval.
+std::vector<std::string_view> measured_results();
+
 /// A name that can be a file's: letters, digits, '-', '_', '.', not first a '.'.
 bool is_file_name(std::string_view);
 

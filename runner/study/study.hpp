@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
+#include "runner/study/ladder_request.hpp"
 
 namespace mpmstudy {
 
@@ -53,6 +54,7 @@ struct Study {
   std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
   std::vector<std::string> given;  ///< names of everything the file sets, swept or not; the rest is default
   std::vector<mpm::Scene> scenes;  ///< one per job, in the order of the sweep, every one without problems
+  LadderRequest ladder;            ///< of every scene
   std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;
