@@ -1,10 +1,11 @@
 #pragma once
 /// From a ladder of cells to the number at cell 0 and how well it is known.
 ///
-/// Sources: P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids Eng.
-/// 116 (1994) 405, and Verification and Validation in Computational Science and Engineering (1998), for the
-/// extrapolation and the safety factors 1.25 and 3; L. Eca, M. Hoekstra, J. Comput. Phys. 262 (2014) 104, for
-/// the fall back on a fixed order where the observed one is not clean; ASME V&V 20-2009 for adding the parts.
+/// Sources: P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, J. Fluids
+/// Eng. 116 (1994) 405, and Verification and Validation in Computational Science and Engineering (1998), for
+/// the extrapolation and the safety factors 1.25 and 3; L. Eca, M. Hoekstra, J. Comput. Phys. 262 (2014) 104,
+/// for the fall back on a fixed order where the observed one is not clean; ASME V&V 20-2009 for adding the
+/// parts.
 #include <limits>
 #include <optional>
 #include <span>
@@ -51,18 +52,19 @@ struct Extrapolation {
 /// Points in any order, each with its own cell; at least one. `one_cell_error`: half width that a single cell
 /// gets.
 ///
-/// The differences between the three finest cells give the observed order p of value = v0 + a cell^p. If it is in
-/// [0.5, 2.5], v0 is the extrapolated value. If it is not, the extrapolated value is the one of order 1: the
-/// straight line through two cells, or by least squares through up to the four finest. If the differences change
-/// sign, it is the value of the finest cell.
+/// The differences between the three finest cells give the observed order p of value = v0 + a cell^p. If it
+/// is in [0.5, 2.5], v0 is the extrapolated value. If it is not, the extrapolated value is the one of order
+/// 1: the straight line through two cells, or by least squares through up to the four finest. If the
+/// differences change sign, it is the value of the finest cell.
 ///
 /// U, the half width about the extrapolated value that the cells leave open: half of the way to it from the
-/// finest cell, and no less than its distance from the straight line's; the whole way, and no less than the last
-/// difference, where the order is not clean; 1.25 times the spread of the three finest cells where the value
-/// turns. (Roache's 1.25 about the finest value is a quarter of the way beyond the extrapolated one; that way is
-/// halved here because three cells a factor sqrt(2) apart show their order less well. studies/error-bars.toml
-/// measures how often these intervals hold.) The measuring error is added in quadrature, as independent; an
-/// interval ends at the bounds. Affine: a value in other units gives the same interval in those.
+/// finest cell, and no less than its distance from the straight line's; the whole way, and no less than the
+/// last difference, where the order is not clean; 1.25 times the spread of the three finest cells where the
+/// value turns. (Roache's 1.25 about the finest value is a quarter of the way beyond the extrapolated one;
+/// that way is halved here because three cells a factor sqrt(2) apart show their order less well.
+/// studies/error-bars.toml measures how often these intervals hold.) The measuring error is added in
+/// quadrature, as independent; an interval ends at the bounds. Affine: a value in other units gives the same
+/// interval in those.
 Extrapolation extrapolate(std::span<const LadderPoint>, const Bounds& = {}, double one_cell_error = 0);
 
 }  // namespace analysis

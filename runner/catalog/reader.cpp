@@ -37,8 +37,7 @@ std::vector<StudyState> read_studies(SQLite::Database& db) {
 StudyState read_no_study(SQLite::Database& db) {
   StudyState none;
   SQLite::Statement counts(
-      db,
-      "SELECT status, count(*) FROM job WHERE id NOT IN (SELECT job_id FROM study_job) GROUP BY status");
+      db, "SELECT status, count(*) FROM job WHERE id NOT IN (SELECT job_id FROM study_job) GROUP BY status");
   while (counts.executeStep())
     none.jobs[job_status_from(counts.getColumn(0).getString())] = counts.getColumn(1).getInt64();
   return none;

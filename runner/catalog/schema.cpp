@@ -140,6 +140,7 @@ CREATE TABLE critical_speed_bracket (
 
 constexpr std::string_view version_3 = R"sql(
 ALTER TABLE study_job ADD COLUMN coarse INTEGER NOT NULL DEFAULT 0;  -- 1: a coarser cell of the job at its position
+CREATE INDEX study_job_by_position ON study_job (study_id, position);
 
 CREATE TABLE interval (            -- of one number of one job, from the cells under it
   study_id             INTEGER NOT NULL REFERENCES study (id),
@@ -240,22 +241,32 @@ CREATE VIEW accuracy AS SELECT s.name AS study, j.key AS key, i.quantity AS quan
   i.wanted_error AS wanted_error, i.extrapolated_error <= i.wanted_error AS reached
 FROM interval i JOIN study s ON s.id = i.study_id JOIN job j ON j.id = i.job_id;
 
-DROP VIEW IF EXISTS ladders;
-CREATE VIEW ladders AS SELECT s.name AS study, a.key AS key, m.position AS position, r.key AS rung_key,
-  p.cell_size_m AS cell_size_m, r.status AS status, c.name AS quantity, c.value AS value, c.unit AS unit,
-  c.error AS measuring_error
-FROM study s JOIN study_job m ON m.study_id = s.id AND m.coarse = 0 JOIN job a ON a.id = m.job_id
-JOIN study_job n ON n.study_id = m.study_id AND n.position = m.position JOIN job r ON r.id = n.job_id
-JOIN job_parameters p ON p.job_id = r.id
-LEFT JOIN (
-  SELECT job_id, name, value, unit, error FROM metric
-  UNION ALL
-  SELECT id, 'collapsibility', collapsibility, '1', collapsibility_error FROM job
-  WHERE collapsibility IS NOT NULL
-  UNION ALL
-  SELECT id, 'final_area_m2', final_area_m2, 'm2', final_area_error_m2 FROM job
-  WHERE final_area_m2 IS NOT NULL) c ON c.job_id = r.id;
 )sql";
+
+/// The view `ladders`: one SELECT for every place that a value stands in, so that a study's own rows are
+/// found without looking at all others.
+std::string ladders_sql() {
+  const auto select = [](const std::string& quantity, const std::string& value, const std::string& unit,
+                         const std::string& error, const std::string& rest) {
+    return "SELECT s.name AS study, a.key AS key, m.position AS position, r.key AS rung_key, "
+           "p.cell_size_m AS cell_size_m, r.status AS status, " +
+           quantity + " AS quantity, " + value + " AS value, " + unit + " AS unit, " + error +
+           " AS measuring_error FROM study s JOIN study_job m ON m.study_id = s.id AND m.coarse = 0 "
+           "JOIN job a ON a.id = m.job_id "
+           "JOIN study_job n ON n.study_id = m.study_id AND n.position = m.position "
+           "JOIN job r ON r.id = n.job_id JOIN job_parameters p ON p.job_id = r.id " +
+           rest;
+  };
+  return "DROP VIEW IF EXISTS ladders;\nCREATE VIEW ladders AS " +
+         select("c.name", "c.value", "c.unit", "c.error", "JOIN metric c ON c.job_id = r.id") +
+         "\nUNION ALL " +
+         select("'collapsibility'", "r.collapsibility", "'1'", "r.collapsibility_error",
+                "WHERE r.collapsibility IS NOT NULL") +
+         "\nUNION ALL " +
+         select("'final_area_m2'", "r.final_area_m2", "'m2'", "r.final_area_error_m2",
+                "WHERE r.final_area_m2 IS NOT NULL") +
+         "\nUNION ALL " + select("NULL", "NULL", "NULL", "NULL", "WHERE r.status <> 'done'") + ";\n";
+}
 
 std::vector<ParameterColumn> parameter_columns() {
   std::vector<ParameterColumn> columns;
@@ -276,7 +287,8 @@ std::string view_sql(std::span<const std::string> columns) {
   std::string sql(jobs_before);
   for (const auto& column : columns) sql += "  p.\"" + column + "\" AS \"" + column + "\",\n";
   sql += jobs_after;
-  return sql += other_views;
+  sql += other_views;
+  return sql += ladders_sql();
 }
 
 }  // namespace mpmstudy

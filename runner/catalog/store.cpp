@@ -334,9 +334,9 @@ void Store::replace_intervals(const std::string& study, const std::vector<Interv
       "measuring_difference, scatter, wanted_error) "
       "SELECT ?, id, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM job WHERE key = ?");
   for (const auto& r : rows)
-    execute(insert, id, r.quantity, r.unit, r.value, r.error, r.extrapolated_value,
-            r.extrapolated_error, r.observed_order, r.method, r.cells, r.discretisation_error, r.measuring_error, r.measuring_difference, r.scatter,
-            r.wanted_error, r.key);
+    execute(insert, id, r.quantity, r.unit, r.value, r.error, r.extrapolated_value, r.extrapolated_error,
+            r.observed_order, r.method, r.cells, r.discretisation_error, r.measuring_error,
+            r.measuring_difference, r.scatter, r.wanted_error, r.key);
 }
 
 void Store::replace_fits(const std::string& study, const std::vector<FitRow>& fits) {

@@ -38,8 +38,8 @@ class Store {
   Registration register_study(const std::string& name, const std::string& title, const std::vector<Job>&,
                               bool retry_failed);
 
-  /// Enters a finer cell under the job at the position `rung.rung_of` of a study, in whose place it becomes the
-  /// study's own. Gives back its status; planned: to run.
+  /// Enters a finer cell under the job at the position `rung.rung_of` of a study, in whose place it becomes
+  /// the study's own. Gives back its status; planned: to run.
   JobStatus add_finer(const std::string& study, const Job& rung, bool retry_failed);
 
   /// planned -> running, by this process. False if the job is not planned (any longer).

@@ -16,7 +16,8 @@ bool is_collapse(const std::string& quantity) {
 
 analysis::Bounds bounds_of(const std::string& quantity) {
   if (is_collapse(quantity)) return {.upper = 1};  // a torn cavity may be larger than it was
-  if (quantity.ends_with("_area_m2") || quantity == "roundness") return {.lower = 0};
+  if (quantity.ends_with("_area_m2") || quantity.ends_with("_fraction") || quantity == "roundness")
+    return {.lower = 0};
   return {};
 }
 

@@ -23,7 +23,8 @@ enum class NextStep {
   wait,     ///< a rung that was asked for is not decided
   climb,    ///< one more cell
   reached,  ///< the interval is inside
-  missed    ///< it is not, and the ladder ends: at its limit, or because its finest rung failed or does not show the quantity
+  missed    ///< it is not, and the ladder ends: at its limit, or because its finest rung failed or does not
+            ///< show the quantity
 };
 
 /// rungs: those that were asked for, coarse to fine, first_cells or more. The request has an accuracy.

@@ -1,6 +1,6 @@
 #pragma once
-/// The ladders of a run that an accuracy makes climb: from what the catalog has of their rungs to the jobs that
-/// come next. Which those are depends on results only, not on who ran them nor in which order.
+/// The ladders of a run that an accuracy makes climb: from what the catalog has of their rungs to the jobs
+/// that come next. Which those are depends on results only, not on who ran them nor in which order.
 #include <filesystem>
 #include <set>
 #include <string>

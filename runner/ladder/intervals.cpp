@@ -6,6 +6,7 @@
 
 #include "runner/catalog/query.hpp"
 #include "runner/ladder/climb.hpp"
+#include "runner/study/requests.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -67,7 +68,7 @@ std::vector<IntervalRow> intervals_of(const Study& study, const std::filesystem:
   std::vector<IntervalRow> rows;
   for (const auto& [key, ladder] : read_ladders(study, results))
     for (const auto& [quantity, measured] : ladder) {
-      if (!measured.at_finest || measured.points.size() < 2) continue;
+      if (!measured.at_finest || measured.points.size() < 2 || !has_interval(quantity)) continue;
       const auto e = analysis::extrapolate(measured.points, bounds_of(quantity));
       IntervalRow row;
       row.key = key;

@@ -7,8 +7,8 @@
 
 namespace mpmstudy {
 
-/// The interval of everything that the done jobs of a registered study have measured, each from the cells that
-/// its ladder has (view `ladders`). One cell gives none. Throws CatalogError.
+/// The interval of everything that the done jobs of a registered study have measured, each from the cells
+/// that its ladder has (view `ladders`). One cell gives none. Throws CatalogError.
 std::vector<IntervalRow> intervals_of(const Study&, const std::filesystem::path& results);
 
 }  // namespace mpmstudy

@@ -9,8 +9,11 @@ namespace mpmstudy {
 RungState recorded(const std::filesystem::path& results, const Job& job, const std::string& quantity) {
   const SqlValue parameters[] = {job.key, quantity};
   const Rows rows = query(results,
-                          "SELECT j.status, l.value, l.measuring_error FROM jobs j LEFT JOIN ladders l "
-                          "ON l.rung_key = j.key AND l.quantity = ?2 WHERE j.key = ?1 LIMIT 1",
+                          "SELECT j.status, CASE ?2 WHEN 'collapsibility' THEN j.collapsibility "
+                          "WHEN 'final_area_m2' THEN j.final_area_m2 ELSE c.value END, "
+                          "CASE ?2 WHEN 'collapsibility' THEN j.collapsibility_error "
+                          "WHEN 'final_area_m2' THEN j.final_area_error_m2 ELSE c.error END FROM job j "
+                          "LEFT JOIN metric c ON c.job_id = j.id AND c.name = ?2 WHERE j.key = ?1",
                           parameters);
   if (rows.rows.empty()) return {};
   const auto& row = rows.rows[0];

@@ -16,19 +16,13 @@ Job make_job(const mpm::Scene& scene, double updates_per_second) {
   return {job_key(scene), scene, estimate, updates / updates_per_second};
 }
 
-/// The rungs of one scene, coarse to fine. Only what may be an answer writes snapshots.
+/// The rungs of one scene, coarse to fine.
 std::vector<Job> make_ladder(const mpm::Scene& scene, const LadderRequest& request, std::int64_t position,
                              double updates_per_second) {
-  const int first_answer = request.accuracy ? first_cells - 1 : request.cells - 1;
+  const LadderScenes ladder = ladder_scenes(scene, request);
   std::vector<Job> rungs;
-  for (int k = 0; k < request.cells; ++k) {
-    mpm::Scene rung = scene;
-    rung.numerics.cell_size =
-        finer_cell(scene.numerics.cell_size, request.accuracy ? k : k + 1 - request.cells);
-    if (k < first_answer) rung.measures.snapshots.clear();
-    rungs.push_back(make_job(rung, updates_per_second));
-    if (k < first_answer) rungs.back().rung_of = position;
-  }
+  for (const mpm::Scene& rung : ladder.scenes) rungs.push_back(make_job(rung, updates_per_second));
+  for (std::size_t k = 0; k < ladder.first_answer; ++k) rungs[k].rung_of = position;
   return rungs;
 }
 
@@ -46,6 +40,20 @@ class UniqueJobs {
 
 }  // namespace
 
+LadderScenes ladder_scenes(const mpm::Scene& scene, const LadderRequest& request) {
+  LadderScenes ladder;
+  const int first_answer = request.accuracy ? first_cells - 1 : request.cells - 1;
+  for (int k = 0; k < request.cells; ++k) {
+    mpm::Scene rung = scene;
+    rung.numerics.cell_size =
+        finer_cell(scene.numerics.cell_size, request.accuracy ? k : k + 1 - request.cells);
+    if (k < first_answer) rung.measures.snapshots.clear();
+    ladder.scenes.push_back(std::move(rung));
+  }
+  ladder.first_answer = static_cast<std::size_t>(first_answer);
+  return ladder;
+}
+
 Plan make_plan(const Study& study, double updates_per_second) {
   Plan plan;
   plan.study = study.name;
@@ -57,8 +65,8 @@ Plan make_plan(const Study& study, double updates_per_second) {
       if (known.insert(job.key).second) plan.jobs.push_back(std::move(job));
       continue;
     }
-    auto rungs = make_ladder(scene, study.ladder, static_cast<std::int64_t>(plan.jobs.size()),
-                             updates_per_second);
+    auto rungs =
+        make_ladder(scene, study.ladder, static_cast<std::int64_t>(plan.jobs.size()), updates_per_second);
     const Job& answer = study.ladder.accuracy ? rungs[first_cells - 1] : rungs.back();
     if (!known.insert(answer.key).second) continue;
     plan.jobs.push_back(answer);

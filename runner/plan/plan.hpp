@@ -42,6 +42,14 @@ inline constexpr double assumed_updates_per_second = 5e6;
 /// updates_per_second: particle updates a second and core that the prediction assumes.
 Plan make_plan(const Study&, double updates_per_second = assumed_updates_per_second);
 
+/// The scenes of a ladder, coarse to fine; those from `first_answer` on can be a job of the study itself, and
+/// only they keep their snapshots.
+struct LadderScenes {
+  std::vector<mpm::Scene> scenes;
+  std::size_t first_answer = 0;
+};
+LadderScenes ladder_scenes(const mpm::Scene&, const LadderRequest&);
+
 /// What runs in any case: the jobs of the study, then the coarser cells under them; every key once.
 std::vector<Job> first_jobs(const Plan&);
 /// All that may run: beside those, the finer cells that an accuracy may ask for. Every key once.

@@ -18,8 +18,8 @@ int read_cells(const Entry& entry, int least, Problems& problems) {
   const auto* cells = std::get_if<std::int64_t>(&entry.value.data);
   if (cells && *cells >= least && *cells <= most_cells) return static_cast<int>(*cells);
   problems.add("ladder", entry.value,
-               {"not a number of cells",
-                "allowed: a whole number from " + std::to_string(least) + " to " + std::to_string(most_cells)});
+               {"not a number of cells", "allowed: a whole number from " + std::to_string(least) + " to " +
+                                             std::to_string(most_cells)});
   return least;
 }
 
@@ -91,7 +91,7 @@ LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> k
     problems.add("accuracy_of", of->value, {"there is no accuracy", "add accuracy = \"1 %\", or remove it"});
   } else if (of) {
     const std::string* name = of->value.string();
-    const auto names = measured_results();
+    const auto names = results_with_interval();
     if (!name || std::find(names.begin(), names.end(), *name) == names.end())
       problems.add("accuracy_of", of->value, unknown_word(name ? *name : "", "result", names));
     else

@@ -6,9 +6,9 @@ namespace mpmstudy {
 
 /// The cells under every job of a study ([numerics] ladder, accuracy, accuracy_of).
 ///
-/// Without an accuracy every job runs at `cells` cells, of which the study's own is the finest. With one, a job
-/// starts at its coarsest cells and gets finer ones, up to `cells` of them, until the interval of `quantity` is
-/// inside.
+/// Without an accuracy every job runs at `cells` cells, of which the study's own is the finest. With one, a
+/// job starts at its coarsest cells and gets finer ones, up to `cells` of them, until the interval of
+/// `quantity` is inside.
 struct LadderRequest {
   int cells = 1;                   ///< how many; with an accuracy: at most
   std::optional<double> accuracy;  ///< wanted half width of the interval over the quantity's scale [1]

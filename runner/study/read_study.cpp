@@ -162,7 +162,7 @@ class Reader {
   }
 
   void read_requests() {
-    const RequestContext context{kind_, fixed_};
+    const RequestContext context{kind_, fixed_, study_.ladder.cells};
     study_.fits = read_fits(document_, context, problems_);
     study_.figures = read_figures(document_, context, problems_);
     study_.search = read_search(document_, kind_, units_, problems_);

@@ -10,7 +10,9 @@ namespace mpmstudy {
 namespace {
 
 constexpr std::array<std::string_view, 2> models = {"linear", "quadratic"};
-constexpr std::array<std::string_view, 3> figure_kinds = {"history", "xy", "fields"};
+constexpr std::array<std::string_view, 4> figure_kinds = {"history", "xy", "fields", "calibration"};
+/// Three cells give an interval, and two finer ones what it is held against.
+constexpr int cells_of_calibration = 5;
 constexpr std::array<std::string_view, 4> outcomes = {"collapsed", "partial", "ejected", "arrested"};
 
 /// Numbers of the catalog's view `jobs`, and what libmpm/measure/ writes as metrics; the test of this list
@@ -62,8 +64,18 @@ constexpr std::string_view fields[] = {"velocity_x",   "velocity_y",
                                        "plastic_work", "specific_internal_energy",
                                        "temperature"};
 
-/// Of these, what the run cost and what it was given.
-constexpr std::string_view not_measured[] = {"initial_area_m2", "particles", "steps", "wall_s", "cpu_s"};
+/// Of these, what a run was given, what it cost, and what is an error itself.
+constexpr std::string_view without_interval[] = {"initial_area_m2",
+                                                 "particles",
+                                                 "steps",
+                                                 "wall_s",
+                                                 "cpu_s",
+                                                 "energy_error",
+                                                 "momentum_error",
+                                                 "overpressed_mass_fraction",
+                                                 "plateau_noise",
+                                                 "final_area_scatter_m2",
+                                                 "final_area_difference_m2"};
 
 std::span<const std::string_view> all_results() { return results; }
 std::span<const std::string_view> all_fields() { return fields; }
@@ -148,11 +160,17 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
 
 }  // namespace
 
-std::vector<std::string_view> measured_results() {
+bool has_interval(std::string_view result) {
+  const auto among = [&](const auto& names) {
+    return std::find(std::begin(names), std::end(names), result) != std::end(names);
+  };
+  return among(results) && !among(without_interval);
+}
+
+std::vector<std::string_view> results_with_interval() {
   std::vector<std::string_view> names;
   for (const std::string_view name : results)
-    if (std::find(std::begin(not_measured), std::end(not_measured), name) == std::end(not_measured))
-      names.push_back(name);
+    if (has_interval(name)) names.push_back(name);
   return names;
 }
 
@@ -219,6 +237,12 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
     } else if (figure.kind == "fields") {
       refuse("x");
       figure.y = read_word(entry, table, "y", "field", all_fields(), problems);
+    } else if (figure.kind == "calibration") {
+      refuse("x");
+      figure.y = read_word(entry, table, "y", "result", results_with_interval(), problems);
+      if (context.cells < cells_of_calibration)
+        problems.add("kind", table.find("kind")->value,
+                     {"needs a ladder of five cells or more", "write ladder = 5 in [numerics]"});
     } else if (figure.kind == "history") {
       refuse("x");
       refuse("y");

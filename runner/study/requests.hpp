@@ -16,6 +16,7 @@ namespace mpmstudy {
 struct RequestContext {
   std::optional<mpm::SceneKind> kind;
   std::vector<std::string> fixed;
+  int cells = 1;  ///< of the study's ladders
 };
 
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);
@@ -25,8 +26,10 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Problems&);
 
-/// Results that a scene measures, and that can so have an interval.
-std::vector<std::string_view> measured_results();
+/// Whether a ladder of cells gives a result an interval: what is measured, apart from what is an error
+/// itself.
+bool has_interval(std::string_view result);
+std::vector<std::string_view> results_with_interval();
 
 /// A name that can be a file's: letters, digits, '-', '_', '.', not first a '.'.
 bool is_file_name(std::string_view);

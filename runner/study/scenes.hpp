@@ -18,8 +18,8 @@ struct SceneRequest {
   std::vector<Axis> axes;        ///< in the order of the file
   std::vector<Point> snapshots;  ///< [s]
   LadderRequest ladder;
-  Place ladder_place;            ///< of its key
-  Place place;                   ///< of `scene`, for problems with values that the file does not name
+  Place ladder_place;  ///< of its key
+  Place place;         ///< of `scene`, for problems with values that the file does not name
 };
 
 /// The swept ones of the request's axes, in the order of the file.

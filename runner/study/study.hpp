@@ -26,9 +26,9 @@ struct FigureRequest {
   std::string name;  ///< file stem, e.g. "fig8a"
   std::string title;
   std::string kind;  ///< "history" (area against time), "xy" (result against parameter, with its fit),
-                     ///< "fields" (one panel a snapshot)
+                     ///< "fields" (one panel a snapshot), "calibration" (intervals against finer cells)
   std::string x;     ///< xy: a quantity
-  std::string y;     ///< xy: a result column; fields: "pressure", "plastic_work", ...
+  std::string y;     ///< xy, calibration: a result column; fields: "pressure", "plastic_work", ...
 };
 
 /// A critical value that the study looks for ([search]): the smallest `critical` that has `outcome`.
