@@ -7,12 +7,12 @@
 #include "analysis/extrapolation.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/ladder/climb.hpp"
+#include "runner/study/ladder.hpp"
 
 namespace mpmstudy {
 
 std::vector<analysis::CalibrationPoint> calibration_of(const Study& study, const StudyResults& results,
                                                        const std::string& quantity) {
-  constexpr std::size_t fewest = 5, held_back = 2;
   const SqlValue parameters[] = {study.name, quantity};
   const Rows rows = query(results.folder,
                           "SELECT key, cell_size_m, value, coalesce(measuring_error, 0.0) FROM ladders WHERE "
@@ -26,10 +26,10 @@ std::vector<analysis::CalibrationPoint> calibration_of(const Study& study, const
   std::vector<analysis::CalibrationPoint> points;
   for (const JobResults& job : results.done) {
     auto& ladder = ladders[job.key];
-    if (ladder.size() < fewest) continue;
+    if (ladder.size() <= first_cells) continue;
     std::ranges::sort(ladder, std::ranges::greater{}, &analysis::LadderPoint::cell);
     const auto fine = analysis::extrapolate(ladder, bounds);
-    const auto coarse = analysis::extrapolate(std::span(ladder).first(ladder.size() - held_back), bounds);
+    const auto coarse = analysis::extrapolate(std::span(ladder).first(first_cells), bounds);
     const double scale = accuracy_scale(quantity, fine.extrapolated_value);
     points.push_back({coarse.error / scale, std::abs(fine.extrapolated_value - coarse.value) / scale,
                       coarse.extrapolated_error / scale,

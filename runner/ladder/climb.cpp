@@ -12,6 +12,9 @@ namespace {
 bool is_collapse(const std::string& quantity) {
   return quantity == "collapsibility" || quantity == "largest_collapsibility";
 }
+
+/// A measuring error that one more cell leaves above this share of itself is not made small by cells.
+constexpr double falls_with_the_cell = 0.9;
 }  // namespace
 
 analysis::Bounds bounds_of(const std::string& quantity) {
@@ -37,7 +40,10 @@ NextStep next_step(const LadderRequest& request, std::span<const RungState> rung
     if (rung.point) points.push_back(*rung.point);
   if (points.size() >= first_cells) {
     const analysis::Extrapolation e = analysis::extrapolate(points, bounds_of(request.quantity));
-    if (e.extrapolated_error <= wanted_error(request, e.extrapolated_value)) return NextStep::reached;
+    const double wanted = wanted_error(request, e.extrapolated_value);
+    if (e.extrapolated_error <= wanted) return NextStep::reached;
+    const double finest = points.back().measuring_error, before = points[points.size() - 2].measuring_error;
+    if (finest > wanted && finest > falls_with_the_cell * before) return NextStep::missed;
   }
   return rungs.size() < static_cast<std::size_t>(request.cells) ? NextStep::climb : NextStep::missed;
 }

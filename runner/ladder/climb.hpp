@@ -23,8 +23,9 @@ enum class NextStep {
   wait,     ///< a rung that was asked for is not decided
   climb,    ///< one more cell
   reached,  ///< the interval is inside
-  missed    ///< it is not, and the ladder ends: at its limit, or because its finest rung failed or does not
-            ///< show the quantity
+  missed    ///< it is not, and no finer cell is asked for: the ladder is at its limit, its finest rung failed
+          ///< or does not show the quantity, or the measuring error alone is too large and finer cells do not
+          ///< make it smaller (a ring-down that has not ended)
 };
 
 /// rungs: those that were asked for, coarse to fine, first_cells or more. The request has an accuracy.

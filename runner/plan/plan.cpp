@@ -46,7 +46,7 @@ LadderScenes ladder_scenes(const mpm::Scene& scene, const LadderRequest& request
   for (int k = 0; k < request.cells; ++k) {
     mpm::Scene rung = scene;
     rung.numerics.cell_size =
-        finer_cell(scene.numerics.cell_size, request.accuracy ? k : k + 1 - request.cells);
+        finer_cell(scene.numerics.cell_size, request.finds_cell ? k : k + 1 - request.cells);
     if (k < first_answer) rung.measures.snapshots.clear();
     ladder.scenes.push_back(std::move(rung));
   }
@@ -60,7 +60,7 @@ Plan make_plan(const Study& study, double updates_per_second) {
   plan.ladder = study.ladder;
   std::unordered_set<std::string> known;
   for (const mpm::Scene& scene : study.scenes) {
-    if (study.ladder.cells == 1) {
+    if (study.ladder.cells == 1) {  // at the cell that is given or found
       Job job = make_job(scene, updates_per_second);
       if (known.insert(job.key).second) plan.jobs.push_back(std::move(job));
       continue;

@@ -46,15 +46,15 @@ double finer_cell(double cell, int rungs) {
 }
 
 double coarsest_cell(const mpm::Scene& s) {
-  constexpr double cells_a_radius = 8, cells_a_width = 8, cells_a_height = 64;
+  constexpr double cells_a_radius = 4, cells_a_width = 8, cells_a_height = 64;
   switch (s.kind) {
     case mpm::SceneKind::cavity_impact:
-      return std::min({finer_cell(s.cavity_radius / cells_a_radius, -1), s.block_width / cells_a_width,
-                       s.block_height / cells_a_width});
+      return std::min(
+          {s.cavity_radius / cells_a_radius, s.block_width / cells_a_width, s.block_height / cells_a_width});
     case mpm::SceneKind::planar_impact:
       return std::min(s.block_width / cells_a_width, s.block_height / cells_a_height);
     case mpm::SceneKind::imploding_shell:
-      return finer_cell(std::min(s.inner_radius, s.outer_radius - s.inner_radius) / cells_a_radius, -1);
+      return std::min(s.inner_radius, s.outer_radius - s.inner_radius) / cells_a_radius;
   }
   return 0;
 }

@@ -11,9 +11,9 @@
 namespace mpmstudy {
 
 /// Cells that an accuracy may climb where a study says nothing.
-inline constexpr int default_most_cells = 6;
+inline constexpr int default_most_cells = 7;
 /// Cells that an interval is first asked of.
-inline constexpr int first_cells = 3;
+inline constexpr int first_cells = 4;
 
 /// Cells from one rung of a ladder to the next are smaller by this factor.
 double rung_ratio();

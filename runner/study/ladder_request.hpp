@@ -13,7 +13,7 @@ struct LadderRequest {
   int cells = 1;                   ///< how many; with an accuracy: at most
   std::optional<double> accuracy;  ///< wanted half width of the interval over the quantity's scale [1]
   std::string quantity;            ///< whose interval it is: "collapsibility"
-  bool finds_cell = false;         ///< the file gives no cell_size: ladders begin at coarsest_cell()
+  bool finds_cell = false;  ///< the file gives no cell_size: scenes hold the coarsest cell, else the finest
 };
 
 }  // namespace mpmstudy

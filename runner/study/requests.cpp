@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "runner/study/ladder.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/schema.hpp"
 
@@ -11,8 +12,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> models = {"linear", "quadratic"};
 constexpr std::array<std::string_view, 4> figure_kinds = {"history", "xy", "fields", "calibration"};
-/// Three cells give an interval, and two finer ones what it is held against.
-constexpr int cells_of_calibration = 5;
+/// The first ones give an interval, and finer ones what it is held against.
+constexpr int cells_of_calibration = first_cells + 1;
 constexpr std::array<std::string_view, 4> outcomes = {"collapsed", "partial", "ejected", "arrested"};
 
 /// Numbers of the catalog's view `jobs`, and what libmpm/measure/ writes as metrics; the test of this list

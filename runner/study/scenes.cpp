@@ -53,11 +53,6 @@ mpm::Scene base_scene(const SceneRequest& request) {
   return scene;
 }
 
-/// The cell of a study that does not give one: with an accuracy the coarsest of its ladder, else the finest.
-double found_cell(const LadderRequest& request, const mpm::Scene& scene) {
-  return finer_cell(coarsest_cell(scene), request.accuracy ? 0 : request.cells - 1);
-}
-
 /// Puts problems of one job where their values were written.
 class Reporter {
  public:
@@ -92,7 +87,7 @@ class Reporter {
   bool check_ladder(mpm::Scene scene) {
     const LadderRequest& ladder = request_.ladder;
     double& cell = scene.numerics.cell_size;
-    cell = finer_cell(cell, ladder.accuracy ? ladder.cells - 1 : 1 - ladder.cells);
+    cell = finer_cell(cell, ladder.finds_cell ? ladder.cells - 1 : 1 - ladder.cells);
     const auto wrong = mpm::find_problems(scene);
     for (const mpm::Problem& problem : wrong)
       problems_.add(request_.ladder_place, "ladder", std::to_string(ladder.cells),
@@ -154,7 +149,7 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
       else
         one.axis->choice->set(scene, static_cast<std::size_t>(value));
     }
-    if (request.ladder.finds_cell) scene.numerics.cell_size = found_cell(request.ladder, scene);
+    if (request.ladder.finds_cell) scene.numerics.cell_size = coarsest_cell(scene);
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
     bad_jobs += reporter.check(scene, job);
   }

@@ -54,7 +54,7 @@ struct Study {
   std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
   std::vector<std::string> given;  ///< names of everything the file sets, swept or not; the rest is default
   std::vector<mpm::Scene> scenes;  ///< one per job, in the order of the sweep, every one without problems
-  LadderRequest ladder;            ///< of every scene
+  LadderRequest ladder;            ///< under every scene, whose cell is one end of it
   std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;

@@ -88,9 +88,9 @@ TEST_F(Ladders, AFixedOneRunsItsCellsAndHasIntervals) {
 }
 
 TEST_F(Ladders, AnAccuracyClimbsAsFarAsItMust) {
-  // The half width over 0.5 is 0.1 h/um: 0.88 % at the third cell of R = 1 um, at the fifth of R = 2 um.
+  // The half width over 0.5 is 0.1 h/um: 0.88 % at the fourth cell of R = 1 um, at the sixth of R = 2 um.
   EXPECT_EQ(run(study("accuracy = \"1 %\"")).exit_code(), 0);
-  EXPECT_EQ(ran.size(), 3u + 5u);
+  EXPECT_EQ(ran.size(), 4u + 6u);
 }
 
 TEST_F(Ladders, TheFinestCellIsTheStudysJob) {
@@ -130,10 +130,16 @@ TEST_F(Ladders, DoNotDependOnWorkers) {
 }
 
 TEST_F(Ladders, ALimitThatIsReachedIsSaid) {
-  measuring_error = 0.1;  // no cell makes it smaller
-  const RunReport report = run(study("accuracy = \"1 %\"\nladder = 5"));
+  const RunReport report = run(study("accuracy = \"0.1 %\"\nladder = 5"));
   EXPECT_EQ(ran.size(), 10u);
   EXPECT_EQ(report.exit_code(), 0) << "every job is decided: finishing the study says that it was missed";
+  EXPECT_EQ(whole("SELECT count(*) FROM accuracy WHERE reached = 0"), 2);
+}
+
+TEST_F(Ladders, NoCellsAreSpentOnAMeasuringError) {
+  measuring_error = 0.1;
+  run(study("accuracy = \"1 %\""));
+  EXPECT_EQ(ran.size(), 8u);
   EXPECT_EQ(whole("SELECT count(*) FROM accuracy WHERE reached = 0"), 2);
   EXPECT_GE(number("SELECT min(extrapolated_error) FROM accuracy WHERE reached = 0"), 0.1);
 }

@@ -10,7 +10,7 @@
 namespace mpmstudy {
 namespace {
 
-LadderRequest request(double accuracy, int cells = 6) { return {cells, accuracy, "collapsibility", true}; }
+LadderRequest request(double accuracy, int cells = 7) { return {cells, accuracy, "collapsibility", true}; }
 RungState rung(int k, double value, double error = 0) {
   return {true, analysis::LadderPoint{finer_cell(0.4, k), value, error}};
 }
@@ -22,11 +22,12 @@ std::vector<RungState> first_order(int cells) {
 }
 
 TEST(Climb, EndsWhereTheIntervalIsInside) {
-  // half widths over 0.5 with 3, 4, 5 cells: 2, 1.41, 1 %
-  EXPECT_EQ(next_step(request(0.021), first_order(3)), NextStep::reached);
-  EXPECT_EQ(next_step(request(0.015), first_order(3)), NextStep::climb);
-  EXPECT_EQ(next_step(request(0.015), first_order(4)), NextStep::reached);
+  // half widths over 0.5 with 4, 5, 6 cells: 1.41, 1, 0.71 %
+  EXPECT_EQ(next_step(request(0.0142), first_order(4)), NextStep::reached);
+  EXPECT_EQ(next_step(request(0.0101), first_order(4)), NextStep::climb);
   EXPECT_EQ(next_step(request(0.0101), first_order(5)), NextStep::reached);
+  EXPECT_EQ(next_step(request(0.0071), first_order(6)), NextStep::climb);
+  EXPECT_EQ(next_step(request(0.0072), first_order(6)), NextStep::reached);
 }
 
 TEST(Climb, EndsAtItsLimit) {
@@ -34,20 +35,29 @@ TEST(Climb, EndsAtItsLimit) {
   EXPECT_EQ(next_step(request(0.001, 5), first_order(5)), NextStep::missed);
 }
 
+TEST(Climb, EndsWhereCellsDoNotHelp) {
+  std::vector<RungState> rungs;
+  for (int k = 0; k < 4; ++k) rungs.push_back(rung(k, 0.5, 0.02));  // a ring-down: 4 %
+  EXPECT_EQ(next_step(request(0.01), rungs), NextStep::missed);
+  EXPECT_EQ(next_step(request(0.05), rungs), NextStep::reached);
+  rungs[3].point->measuring_error = 0.01;  // it falls
+  EXPECT_EQ(next_step(request(0.01), rungs), NextStep::climb);
+}
+
 TEST(Climb, WaitsForEveryRung) {
-  auto rungs = first_order(3);
+  auto rungs = first_order(4);
   rungs[1] = {};
   EXPECT_EQ(next_step(request(0.5), rungs), NextStep::wait);
 }
 
 TEST(Climb, GoesPastAFailedCoarseCellButNotPastAFailedFinest) {
-  auto rungs = first_order(3);
+  auto rungs = first_order(4);
   rungs[0] = {true, {}};
-  EXPECT_EQ(next_step(request(0.5), rungs), NextStep::climb) << "two cells show no order";
-  rungs = first_order(4);
+  EXPECT_EQ(next_step(request(0.5), rungs), NextStep::climb) << "three cells are too few";
+  rungs = first_order(5);
   rungs[0] = {true, {}};
   EXPECT_EQ(next_step(request(0.5), rungs), NextStep::reached);
-  rungs[3] = {true, {}};
+  rungs[4] = {true, {}};
   EXPECT_EQ(next_step(request(0.5), rungs), NextStep::missed);
 }
 

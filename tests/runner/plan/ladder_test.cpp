@@ -50,23 +50,23 @@ TEST(Ladder, IsUnderTheCellThatIsGiven) {
 
 TEST(Ladder, WithoutACellStartsAtTheRadius) {
   const Plan plan = make_plan(read_text(with("ladder = 5")));
-  EXPECT_NEAR(plan.ladders[0][0].scene.numerics.cell_size, 1.5e-6 / 8 * rung_ratio(), 1e-15);
-  EXPECT_NEAR(plan.jobs[0].scene.numerics.cell_size, 1.5e-6 / 16 / rung_ratio(), 1e-15);
+  EXPECT_EQ(plan.ladders[0][0].scene.numerics.cell_size, 1.5e-6 / 4);
+  EXPECT_EQ(plan.jobs[0].scene.numerics.cell_size, 1.5e-6 / 16);
   // A longer one adds finer cells.
   const Plan longer = make_plan(read_text(with("ladder = 6")));
   for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(longer.ladders[0][k].key, plan.ladders[0][k].key);
 }
 
-TEST(Ladder, AnAccuracyRunsThreeCellsAndMayRunMore) {
+TEST(Ladder, AnAccuracyRunsFourCellsAndMayRunMore) {
   const Study study = read_text(with("accuracy = \"1 %\""));
   EXPECT_EQ(study.ladder.accuracy, 0.01);
   EXPECT_EQ(study.ladder.quantity, "collapsibility");
   const Plan plan = make_plan(study);
-  EXPECT_EQ(first_jobs(plan).size(), 3u);
+  EXPECT_EQ(first_jobs(plan).size(), static_cast<std::size_t>(first_cells));
   EXPECT_EQ(all_jobs(plan).size(), static_cast<std::size_t>(default_most_cells));
-  EXPECT_EQ(plan.jobs[0].key, plan.ladders[0][2].key);
+  EXPECT_EQ(plan.jobs[0].key, plan.ladders[0][first_cells - 1].key);
   EXPECT_LT(cpu_seconds(first_jobs(plan)), cpu_seconds(all_jobs(plan)) / 10);
-  EXPECT_EQ(make_plan(read_text(with("ladder = 3"))).jobs[0].key, plan.jobs[0].key);
+  EXPECT_EQ(make_plan(read_text(with("ladder = 4"))).jobs[0].key, plan.jobs[0].key);
   EXPECT_EQ(read_text(with("accuracy = 0.01\naccuracy_of = \"aspect_ratio\"")).ladder.quantity,
             "aspect_ratio");
 }
@@ -78,9 +78,9 @@ TEST(Ladder, OnlyWhatCanBeTheFinestWritesSnapshots) {
   EXPECT_TRUE(fixed[1].scene.measures.snapshots.empty());
   EXPECT_EQ(fixed[2].scene.measures.snapshots.size(), 1u);
   const auto climbing = make_plan(read_text(with("accuracy = 0.01", measure))).ladders[0];
-  EXPECT_TRUE(climbing[1].scene.measures.snapshots.empty());
-  EXPECT_EQ(climbing[2].scene.measures.snapshots.size(), 1u);
-  EXPECT_EQ(climbing[5].scene.measures.snapshots.size(), 1u);
+  EXPECT_TRUE(climbing[2].scene.measures.snapshots.empty());
+  EXPECT_EQ(climbing[3].scene.measures.snapshots.size(), 1u);
+  EXPECT_EQ(climbing[6].scene.measures.snapshots.size(), 1u);
 }
 
 TEST(Ladder, SweptCellsShareRungs) {
