@@ -7,6 +7,7 @@
 #include "libmpm/measure/health.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/dispatch.hpp"
+#include "libmpm/scene/run.hpp"
 #include "libmpm/simulation.hpp"
 
 namespace mpm {
@@ -51,13 +52,17 @@ void check(const Scene& scene) {
 RunResult run(const Scene& scene, Observer& observer) {
   check(scene);
   State state = build_state(scene);
+  const auto measurements = measurements_for(scene, state, observer);
+  return run_state(scene, state, measurements, observer);
+}
+
+RunResult run_state(const Scene& scene, State& state, const Measurements& measurements, Observer& observer) {
   const MaterialModel material = build_material(scene);
   const auto stepper = stepper_for(scene);
   const Temperature temperature{material.eos, scene.material.specific_heat,
                                 scene.material.initial_temperature};
   Balance balance(state);
   Health health(scene, state);
-  const auto measurements = measurements_for(scene, state, observer);
   Schedule schedule(scene);
 
   RunResult result;
