@@ -138,7 +138,7 @@ CREATE TABLE critical_speed_bracket (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
-constexpr std::string_view version_3 = R"sql(
+constexpr std::string_view version_2 = R"sql(
 ALTER TABLE study_job ADD COLUMN coarse INTEGER NOT NULL DEFAULT 0;  -- 1: a coarser cell of the job at its position
 CREATE INDEX study_job_by_position ON study_job (study_id, position);
 
@@ -281,7 +281,7 @@ std::vector<ParameterColumn> parameter_columns() {
 
 }  // namespace
 
-CatalogSchema current_catalog_schema() { return {{{1, version_1}, {3, version_3}}, parameter_columns()}; }
+CatalogSchema current_catalog_schema() { return {{{1, version_1}, {2, version_2}}, parameter_columns()}; }
 
 std::string view_sql(std::span<const std::string> columns) {
   std::string sql(jobs_before);

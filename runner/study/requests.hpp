@@ -1,5 +1,5 @@
 #pragma once
-/// What a study asks for beside its runs: [[fit]], [[figure]], [search].
+/// What a study asks for beside its runs: [[fit]], [[figure]], [search], [expect].
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +30,9 @@ std::optional<SearchRequest> read_search(const Table& document, std::optional<mp
 /// itself.
 bool has_interval(std::string_view result);
 std::vector<std::string_view> results_with_interval();
+
+/// Empty if there is no [expect], or after adding problems.
+std::optional<Expectation> read_expectation(const Table& document, const Units&, Problems&);
 
 /// A name that can be a file's: letters, digits, '-', '_', '.', not first a '.'.
 bool is_file_name(std::string_view);
