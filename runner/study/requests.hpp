@@ -1,5 +1,5 @@
 #pragma once
-/// What a study asks for beside its runs: [[fit]], [[figure]], [search].
+/// What a study asks for beside its runs: [[fit]], [[figure]], [search], [expect].
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +16,7 @@ namespace mpmstudy {
 struct RequestContext {
   std::optional<mpm::SceneKind> kind;
   std::vector<std::string> fixed;
+  int cells = 1;  ///< of the study's ladders
 };
 
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);
@@ -24,6 +25,14 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
 /// Empty if there is no [search], or after adding problems.
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Problems&);
+
+/// Whether a ladder of cells gives a result an interval: what is measured, apart from what is an error
+/// itself.
+bool has_interval(std::string_view result);
+std::vector<std::string_view> results_with_interval();
+
+/// Empty if there is no [expect], or after adding problems.
+std::optional<Expectation> read_expectation(const Table& document, const Units&, Problems&);
 
 /// A name that can be a file's: letters, digits, '-', '_', '.', not first a '.'.
 bool is_file_name(std::string_view);

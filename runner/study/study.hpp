@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
+#include "runner/study/ladder_request.hpp"
 
 namespace mpmstudy {
 
@@ -25,9 +26,9 @@ struct FigureRequest {
   std::string name;  ///< file stem, e.g. "fig8a"
   std::string title;
   std::string kind;  ///< "history" (area against time), "xy" (result against parameter, with its fit),
-                     ///< "fields" (one panel a snapshot)
+                     ///< "fields" (one panel a snapshot), "calibration" (intervals against finer cells)
   std::string x;     ///< xy: a quantity
-  std::string y;     ///< xy: a result column; fields: "pressure", "plastic_work", ...
+  std::string y;     ///< xy, calibration: a result column; fields: "pressure", "plastic_work", ...
 };
 
 /// A critical value that the study looks for ([search]): the smallest `critical` that has `outcome`.
@@ -37,6 +38,19 @@ struct SearchRequest {
   double lower = 0;      ///< the bracket to start from, SI of `critical`, lower < upper; scenes hold `lower`
   double upper = 0;
   double tolerance = 0;  ///< width of the bracket at which the search ends, > 0, SI of `critical`
+};
+
+/// What a run of the study should come to ([expect]). Only tests/stability looks at it.
+struct Expectation {
+  enum class Outcome {
+    holds,    ///< ends, with an energy error below the limit
+    breaks,   ///< a health limit stops it, and says `reason`
+    refused,  ///< it is no valid scene, for `reason`
+  };
+  Outcome outcome = Outcome::holds;
+  double energy_error = 0.01;  ///< largest one allowed [1]
+  std::string reason;          ///< words of the message; empty where it holds
+  std::string why;             ///< why the case is hard
 };
 
 /// Bad input. what() is "file:line:column: key = value: what is wrong; what is allowed". Exit code 2.
@@ -53,9 +67,11 @@ struct Study {
   std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
   std::vector<std::string> given;  ///< names of everything the file sets, swept or not; the rest is default
   std::vector<mpm::Scene> scenes;  ///< one per job, in the order of the sweep, every one without problems
+  LadderRequest ladder;            ///< under every scene, whose cell is one end of it
   std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;
+  std::optional<Expectation> expectation;
 };
 
 struct ReadOptions {
