@@ -11,6 +11,9 @@ namespace {
 /// The period of the area history where a study says nothing, as a share of end_time.
 constexpr double default_area_samples = 320;
 
+/// How long a part must be off the body, where a study says nothing, as a share of end_time: 1 ns of 16 ns.
+constexpr double default_detached = 16;
+
 /// After so many jobs with problems the rest would tell a user nothing new.
 constexpr int most_bad_jobs = 20;
 
@@ -135,6 +138,7 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
         one.axis->choice->set(scene, static_cast<std::size_t>(value));
     }
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
+    if (scene.measures.detached_for == 0) scene.measures.detached_for = scene.end_time / default_detached;
     bad_jobs += reporter.check(scene, job);
   }
   return scenes;
