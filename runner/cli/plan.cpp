@@ -108,8 +108,10 @@ void print_text(const Study& study, const Plan& plan, const Speed& speed, int wo
              duration(cpu_seconds(plan)), duration(wall_seconds(plan, workers)), workers,
              speed.updates_per_second, speed.source());
   if (study.search)
-    fmt::print("Search for the smallest {} with outcome {}: the jobs above are its first, at the lower end\n",
-               study.search->critical, study.search->outcome);
+    fmt::print(
+        "Search for the smallest {} with outcome {}: the jobs above, at its lower end, stand for the points "
+        "at which `run` looks for it\n",
+        study.search->critical, study.search->outcome);
   print_defaults(study, plan);
 }
 

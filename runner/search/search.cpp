@@ -38,7 +38,8 @@ Search::Search(const Study& study)
   std::map<std::string, std::size_t> families;
   for (const mpm::Scene& scene : study.scenes) {
     const std::size_t family = families.emplace(family_of(scene, axis), families.size()).first->second;
-    entries_.push_back({{scene, family, axis ? axis->get(scene) : 0, scene.numerics.cell_size}, {}, {}});
+    SearchPoint point{scene, family, axis ? axis->get(scene) : 0, scene.numerics.cell_size, entries_.size()};
+    entries_.push_back({std::move(point), {}, {}});
   }
   std::ranges::stable_sort(entries_,
                            [](const Entry& a, const Entry& b) { return a.point.cell > b.point.cell; });
@@ -73,7 +74,8 @@ std::optional<int> Search::guess(const Entry& entry) const {
   };
   if (coarser.size() == 1) return limited(coarser[0].second);
   if (coarser.size() > 1) {
-    const auto& [h1, y1] = coarser[coarser.size() - 2], &[ h2, y2 ] = coarser.back();
+    const auto [h1, y1] = coarser[coarser.size() - 2];
+    const auto [h2, y2] = coarser.back();
     return limited(y2 + (y2 - y1) * (h2 - p.cell) / (h1 - h2));
   }
   std::optional<std::pair<double, double>> left, right;

@@ -16,10 +16,11 @@ namespace mpmstudy {
 
 /// One place where a critical value is looked for: a scene without it.
 struct SearchPoint {
-  mpm::Scene scene;        ///< `critical` is to be set
-  std::size_t family = 0;  ///< of points that differ along the axis alone
-  double along = 0;        ///< value of the axis that neighbours lie on
-  double cell = 0;         ///< [m]
+  mpm::Scene scene;          ///< `critical` is to be set
+  std::size_t family = 0;    ///< of points that differ along the axis alone
+  double along = 0;          ///< value of the axis that neighbours lie on
+  double cell = 0;           ///< [m]
+  std::size_t position = 0;  ///< in the study's sweep
 };
 
 /// A found bracket with the runs that prove it. Empty ends: see flags.

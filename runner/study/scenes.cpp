@@ -49,6 +49,10 @@ mpm::Scene base_scene(const SceneRequest& request) {
   scene.material = request.material;
   scene.numerics = mpm::default_numerics(request.kind);
   for (const Point& snapshot : request.snapshots) scene.measures.snapshots.push_back(snapshot.value);
+  if (request.seeks_ejection) {
+    scene.measures.decides = mpm::Decides::ejection;
+    scene.measures.stop = mpm::Stop::decided;
+  }
   auto& times = scene.measures.snapshots;
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());

@@ -16,7 +16,9 @@ struct SceneRequest {
   mpm::Material material;
   std::vector<Axis> axes;        ///< in the order of the file
   std::vector<Point> snapshots;  ///< [s]
-  Place place;                   ///< of `scene`, for problems with values that the file does not name
+  bool seeks_ejection =
+      false;    ///< of a [search]: runs decide ejection and end then, unless the file says more
+  Place place;  ///< of `scene`, for problems with values that the file does not name
 };
 
 /// The swept ones of the request's axes, in the order of the file.
