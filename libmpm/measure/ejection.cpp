@@ -1,7 +1,10 @@
 #include "libmpm/measure/ejection.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
 
 #include "libmpm/measure/connected.hpp"
 
@@ -16,7 +19,20 @@ struct Part {
   double mass = 0, momentum = 0;  ///< along the impact
   double mass_apart = 0;          ///< of particles that have been apart long enough
   bool on_axis = false;           ///< joined to its image in half a scene
+  double moment = 0;              ///< mass times height
+  double left = 0, right = 0;     ///< where it reaches from and to
 };
+
+/// Of the part with this number, the largest height between left and right.
+double highest_between(const Particles& ps, const ConnectedParts& connected, int number, double left,
+                       double right) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    const Vec2& x = ps.position[p];
+    if (connected.part[p] == number && x.x() >= left && x.x() <= right) highest = std::max(highest, x.y());
+  }
+  return highest;
+}
 
 }  // namespace
 
@@ -44,9 +60,13 @@ void Ejection::find_ejecta(const State& s) {
   const auto part_of = [&](std::size_t p) { return static_cast<std::size_t>(connected.part[p]); };
   for (std::size_t p = 0; p < ps.size(); ++p) {
     Part& part = parts[part_of(p)];
+    const Vec2& x = ps.position[p];
+    part.left = part.mass == 0 ? x.x() : std::min(part.left, x.x());
+    part.right = part.mass == 0 ? x.x() : std::max(part.right, x.x());
+    part.moment += ps.mass[p] * x.y();
     part.mass += ps.mass[p];
     part.momentum += ps.mass[p] * ps.velocity[p].y();
-    part.on_axis |= half_ && ps.position[p].x() < 0.5 * link_;
+    part.on_axis |= half_ && x.x() < 0.5 * link_;
   }
   const auto body = static_cast<std::size_t>(
       std::max_element(parts.begin(), parts.end(),
@@ -67,6 +87,9 @@ void Ejection::find_ejecta(const State& s) {
     const double whole = part.on_axis ? 2 : 1;
     const double speed = part.momentum / part.mass;
     if (k == body || whole * part.mass_apart < least_share * wall_mass_ || speed <= speed_) continue;
+    if (part.moment / part.mass <=
+        highest_between(ps, connected, static_cast<int>(body), part.left, part.right))
+      continue;  // inside: debris in a cavity
     ejected_mass_ += (half_ ? 2 : 1) * part.mass;
     ejected_momentum_ += (half_ ? 2 : 1) * part.momentum;
     fastest = std::max(fastest, speed);

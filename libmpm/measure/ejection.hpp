@@ -9,14 +9,14 @@ namespace mpm {
 /// cavity).
 ///
 /// `ejected`: a connected part (connected.hpp, link length one cell) that has been apart from the body, the
-/// heaviest part, for `detached_for`, has a hundredth of the wall's mass, and rises faster than the free
-/// surface after a planar shock does: 2 u against the moving body (doubling: within 3 % of the exact release
-/// up to 1500 m/s), u against the wall.
-/// `arrested`: nothing is ejected, and for `detached_for` the fastest twentieth of the wall's mass near the
-/// axis (|x| < R) has risen slower than that; counted from H/c0 + R/u on, when shock and jet have arrived.
-/// Since tension only slows what rises, such a wall does not come off later; `mpmstudy run --audit` asks.
-/// `undecided`: neither by the end of the run. With Measures::stop = decided, the first verdict ends it.
-/// Separation in MPM is numerical, by about a cell: verdicts depend on the cell.
+/// heaviest part, for `detached_for`, has a hundredth of the wall's mass, is outside (its centre of mass is
+/// above all of the body between its own left and right), and rises faster than the free surface after a
+/// planar shock does: 2 u against the moving body (doubling: within 3 % of the exact release up to 1500 m/s),
+/// u against the wall. `arrested`: nothing is ejected, and for `detached_for` the fastest twentieth of the
+/// wall's mass near the axis (|x| < R) has risen slower than that; counted from H/c0 + R/u on, when shock and
+/// jet have arrived. Since tension only slows what rises, such a wall does not come off later; `mpmstudy run
+/// --audit` asks. `undecided`: neither by the end of the run. With Measures::stop = decided, the first
+/// verdict ends it. Separation in MPM is numerical, by about a cell: verdicts depend on the cell.
 ///
 /// Metrics: ejected_mass_kg_m (of the whole width, 0 if none), ejecta_speed_m_s (its mean, against the wall),
 /// decision_time_s, decision_margin (distance of the deciding speed from u, in u: positive if ejected).

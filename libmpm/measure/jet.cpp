@@ -32,13 +32,14 @@ void Jet::sample(const State& s, const Contour& contour) {
     const double step = s.time - time_;
     if (gap < cell_) impact_time_ = time_ + step * (gap_ - cell_) / (gap_ - gap);
     speed_ = std::max(speed_, (tip - tip_) / step + impact_speed_);
-    if (std::isfinite(lead)) {
+    if (passed_ && std::isfinite(lead)) {
       if (lead > 0 && overtake_time_ < 0)
         overtake_time_ = std::isfinite(lead_) && lead_ < 0 ? time_ + step * lead_ / (lead_ - lead) : s.time;
       most_lead_ = led_ ? std::max(most_lead_, lead) : lead;
       led_ = true;
     }
   }
+  passed_ |= lead <= 0;
   time_ = s.time;
   tip_ = tip;
   gap_ = gap;

@@ -10,9 +10,10 @@ namespace mpm {
 /// Impact: when less than a cell is left between them (straight line between samples). Speed: the largest
 /// between samples up to then, against the material ahead, which moves at -u: a free surface that a planar
 /// shock leaves has 2 u. Lead: height of the tip above the shock at the sides of the block, the largest
-/// before the impact and before that shock has left the block; negative: the tip never overtook it. The
-/// shock: the highest particle of the outermost two columns of cells that has lost half of its speed.
-/// Metrics: jet_speed_m_s, jet_lead_m; jet_impact_time_s, jet_overtake_time_s if they happened.
+/// before the impact and before that shock has left the block, counted once the shock has passed the tip;
+/// negative: the tip never overtook it. The shock: the highest particle of the outermost two columns of cells
+/// that has lost half of its speed. Metrics: jet_speed_m_s, jet_lead_m; jet_impact_time_s,
+/// jet_overtake_time_s if they happened.
 class Jet {
  public:
   explicit Jet(const Scene&);
@@ -26,7 +27,8 @@ class Jet {
   double time_ = -1, tip_ = 0, gap_ = 0, lead_ = 0;  ///< at the last sample
   double speed_ = 0, most_lead_ = 0;
   double impact_time_ = -1, overtake_time_ = -1;
-  bool led_ = false;  ///< a lead was measured
+  bool passed_ = false;  ///< the shock at the sides has passed the tip
+  bool led_ = false;     ///< a lead was measured
 };
 
 }  // namespace mpm

@@ -5,7 +5,7 @@
 
 #include "libmpm/exact/hugoniot.hpp"
 #include "libmpm/measure/connected.hpp"
-#include "tests/libmpm/random_state.hpp"
+#include "libmpm/measure/ejection.hpp"
 #include "tests/libmpm/scenes.hpp"
 
 namespace {
@@ -55,6 +55,45 @@ TEST(Ejection, PlanarFreeSurfaceDoubles) {
     const auto release = mpm::exact::isentropic_release(aluminium, mpm::exact::hugoniot(aluminium, u));
     EXPECT_NEAR(release.surface_speed / (2 * u), 1, 0.03) << u;
   }
+}
+
+/// A square block of 4 um with a hole of 2 um in it, of particles 0.1 um apart, and a bit of 0.4 um with its
+/// centre at this height, which rises at this speed; watched for 2 ns.
+std::string verdict_on_bit(double height, double speed) {
+  mpm::Scene s = scenes::cavity(0.2e-6);
+  s.impact_speed = 500;
+  s.cavity_radius = 1e-6;
+  s.block_height = 4e-6;
+  s.cavity_center_height = 2e-6;  // a wall of 1 um, whose hundredth is 0.02 um^2
+  s.measures.detached_for = 1e-9;
+  s.measures.decides = mpm::Decides::ejection;
+  mpm::State state{
+      {}, mpm::Grid(mpm::Vec2(0, 0), mpm::Vec2(0.2e-6, 0.2e-6), 25), {}, 0, 0, mpm::Floor::impact_wall};
+  const auto fill = [&](double x0, double x1, double y0, double y1, double v) {
+    for (double x = x0 + 0.05e-6; x < x1; x += 0.1e-6)
+      for (double y = y0 + 0.05e-6; y < y1; y += 0.1e-6)
+        state.particles.add({x, y}, {0, v}, 2700 * 1e-14, 1e-14, {0.05e-6, 0.05e-6});
+  };
+  fill(0, 1e-6, 0, 1e-6, 0);
+  fill(1e-6, 2e-6, 0, 4e-6, 0);
+  fill(0, 1e-6, 3e-6, 4e-6, 0);
+  fill(0, 0.2e-6, height - 0.2e-6, height + 0.2e-6, speed);
+  mpm::Ejection ejection(s, state);
+  for (int k = 0; k <= 20; ++k) {
+    state.time = k * 0.1e-9;
+    ejection.sample(state);
+  }
+  mpm::RunResult result;
+  ejection.finish(state, result);
+  return result.outcome;
+}
+
+TEST(Ejection, AsksForSpeedAndForBeingOutside) {
+  EXPECT_EQ(verdict_on_bit(5e-6, 600), "ejected");
+  EXPECT_EQ(verdict_on_bit(5e-6, 400),
+            "undecided");  // slower than the planar free surface, and no arrest yet
+  EXPECT_EQ(verdict_on_bit(2e-6, 600), "undecided");     // in the hole
+  EXPECT_EQ(verdict_on_bit(4.15e-6, 600), "undecided");  // on the body
 }
 
 mpm::Scene thin_wall(double speed) {
@@ -115,8 +154,8 @@ TEST(Jet, StrikesTheFarWallUnderAStrongShockOnly) {
   EXPECT_TRUE(std::isnan(scenes::metric(weak, "jet_impact_time_s")));
 }
 
-// A mirror image of the same block instead of the wall would do the same; a plain block does, until what comes
-// back from the cavity has been at the contact.
+// A mirror image of the same block instead of the wall would do the same; a plain block does, until what
+// comes back from the cavity has been at the contact.
 TEST(TwoBodyImpact, IsTheImpactOnTheWallAtFirst) {
   mpm::Scene s = scenes::cavity(0.1e-6);
   s.block_height = 8e-6;

@@ -41,6 +41,8 @@ class Opening : public testing::Test {
   fakes::TemporaryFolder folder;
   fs::path results = folder.path() / "results";
   fs::path path = catalog_path(results);
+  const int version = current_catalog_schema().version();
+  const std::string backup = path.string() + ".v" + std::to_string(version) + ".backup";
 };
 
 TEST_F(Opening, makes_folder_and_catalog) {
@@ -66,26 +68,26 @@ TEST_F(Opening, migrates_an_older_layout_and_keeps_a_copy) {
   open_for_writing(results)->exec(
       "INSERT INTO study (name, title, updated_at) VALUES ('old', 'Old', '2030-01-01T00:00:00.000Z')");
   auto next = current_catalog_schema();
-  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT;"});
+  next.migrations.push_back({version + 1, "CREATE TABLE later (a INTEGER) STRICT;"});
   {
     const auto db = open_for_writing(results, next);
-    EXPECT_EQ(integer(*db, "PRAGMA user_version"), 2);
+    EXPECT_EQ(integer(*db, "PRAGMA user_version"), version + 1);
     EXPECT_TRUE(db->tableExists("later"));
     EXPECT_EQ(integer(*db, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
   }
-  SQLite::Database backup(path.string() + ".v1.backup", SQLite::OPEN_READONLY);
-  EXPECT_EQ(integer(backup, "PRAGMA user_version"), 1);
-  EXPECT_FALSE(backup.tableExists("later"));
-  EXPECT_EQ(integer(backup, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
+  SQLite::Database copy(backup, SQLite::OPEN_READONLY);
+  EXPECT_EQ(integer(copy, "PRAGMA user_version"), version);
+  EXPECT_FALSE(copy.tableExists("later"));
+  EXPECT_EQ(integer(copy, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
 }
 
 TEST_F(Opening, a_migration_that_fails_changes_nothing) {
   open_for_writing(results);
   auto next = current_catalog_schema();
-  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT; CREATE TABLE nonsense;"});
+  next.migrations.push_back({version + 1, "CREATE TABLE later (a INTEGER) STRICT; CREATE TABLE nonsense;"});
   EXPECT_THROW(open_for_writing(results, next), CatalogError);
   const auto db = open_for_writing(results);
-  EXPECT_EQ(integer(*db, "PRAGMA user_version"), 1);
+  EXPECT_EQ(integer(*db, "PRAGMA user_version"), version);
   EXPECT_FALSE(db->tableExists("later"));
 }
 
@@ -100,7 +102,7 @@ TEST_F(Opening, a_new_parameter_gains_a_column) {
   const auto db = open_for_writing(results);
   EXPECT_EQ(integer(*db, "SELECT count(*) FROM pragma_table_info('jobs') WHERE name = 'impact_speed_m_s'"),
             1);
-  EXPECT_TRUE(fs::exists(path.string() + ".v1.backup"));
+  EXPECT_TRUE(fs::exists(backup));
   // The older program goes on with it, and takes nothing away.
   open_for_writing(results, older);
   EXPECT_EQ(integer(*db, "SELECT count(*) FROM pragma_table_info('jobs') WHERE name = 'impact_speed_m_s'"),
@@ -109,13 +111,14 @@ TEST_F(Opening, a_new_parameter_gains_a_column) {
 
 TEST_F(Opening, a_newer_catalog_is_refused_and_left_as_it_is) {
   auto next = current_catalog_schema();
-  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT;"});
+  next.migrations.push_back({version + 1, "CREATE TABLE later (a INTEGER) STRICT;"});
   open_for_writing(results, next);
   const auto before = bytes_of(path);
   for (const auto& message :
        {message_of([&] { open_for_writing(results); }), message_of([&] { open_for_reading(results); })}) {
     EXPECT_THAT(message, HasSubstr(path.string()));
-    EXPECT_THAT(message, HasSubstr("newer mpmstudy (catalog version 2, this program knows up to 1)"));
+    EXPECT_THAT(message, HasSubstr("newer mpmstudy (catalog version " + std::to_string(version + 1) +
+                                   ", this program knows up to " + std::to_string(version) + ")"));
   }
   EXPECT_EQ(bytes_of(path), before);
 }
@@ -160,7 +163,7 @@ TEST_F(Opening, many_at_once_make_one_catalog) {
     });
   for (auto& thread : threads) thread.join();
   EXPECT_EQ(opened, 8);
-  EXPECT_EQ(integer(*open_for_reading(results), "PRAGMA user_version"), 1);
+  EXPECT_EQ(integer(*open_for_reading(results), "PRAGMA user_version"), version);
   for (const auto& entry : fs::directory_iterator(results))
     EXPECT_THAT(entry.path().string(), Not(HasSubstr("backup")));
 }
