@@ -27,9 +27,14 @@ Cavity::Cavity(const Scene& s, const State& state, Observer& observer)
       void_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,
             s.numerics.particles_per_cell),
       jet_(s),
-      initial_offset_(contour_.centroid().y() - center_of_mass_height(state.particles)) {}
+      initial_offset_(contour_.centroid().y() - center_of_mass_height(state.particles)),
+      smallest_area_(contour_.area()),
+      smallest_sample_(smallest_area_) {}
 
-void Cavity::after_step(const State& s, const StepReport&, double dt) { contour_.advance(s.grid, dt); }
+void Cavity::after_step(const State& s, const StepReport&, double dt) {
+  contour_.advance(s.grid, dt);
+  if (crossed_time_ < 0) smallest_area_ = std::min(smallest_area_, std::max(contour_.area(), 0.0));
+}
 
 bool Cavity::joined_outside() const {
   return void_.joined_outside() || (open_below_ && void_.touches_wall());
@@ -45,6 +50,10 @@ void Cavity::sample(const State& s) {
   most_new_ = std::max(most_new_, others);
   if (others > 0 && new_time_ < 0) new_time_ = s.time;
   jet_.sample(s, contour_);
+  if (crossed_time_ < 0 && now.area < smallest_sample_) {
+    smallest_sample_ = now.area;
+    smallest_difference_ = std::abs(now.void_area - now.area);
+  }
   history_.push_back(now);
   observer_.on_area(now);
 }
@@ -64,7 +73,8 @@ void Cavity::finish(const State& s, RunResult& result) {
   const double final_area = sum / count;
   for (const AreaSample& a : history_)
     if (a.time >= start) sum_of_squares += (area_of(a) - final_area) * (area_of(a) - final_area);
-  const double error = std::hypot(std::sqrt(sum_of_squares / count), difference / count);
+  const double scatter = std::sqrt(sum_of_squares / count);
+  const double error = std::hypot(scatter, difference / count);
   const double initial_area = history_.front().area;
 
   result.initial_area = initial_area;
@@ -75,6 +85,10 @@ void Cavity::finish(const State& s, RunResult& result) {
   result.outcome = history_.back().void_area == 0 ? "collapsed" : "partial";
 
   auto& m = result.metrics;
+  m.push_back({"final_area_scatter_m2", scatter, "m2", {}});
+  m.push_back({"final_area_difference_m2", std::abs(difference / count), "m2", {}});
+  m.push_back({"largest_collapsibility", (initial_area - smallest_area_) / initial_area, "1",
+               smallest_difference_ / initial_area});
   if (crossed_time_ < 0) {
     m.push_back({"aspect_ratio", contour_.width() / contour_.height(), "1", {}});
     m.push_back({"lower_upper_area_ratio", contour_.lower_upper_ratio(), "1", {}});

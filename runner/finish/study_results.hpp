@@ -28,6 +28,7 @@ struct JobResults {
 /// The done jobs of a study, in the order of its sweep, and how many are not done; of a study with [search],
 /// its brackets.
 struct StudyResults {
+  std::string study;             ///< its name
   std::filesystem::path folder;  ///< the results folder
   std::vector<JobResults> done;
   std::size_t missing = 0;

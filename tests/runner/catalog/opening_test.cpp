@@ -36,6 +36,15 @@ std::string message_of(const std::function<void()>& call) {
 
 int integer(SQLite::Database& db, const std::string& sql) { return db.execAndGet(sql).getInt(); }
 
+/// A catalog as an older program left it: its tables; the views follow when it is opened.
+void make_tables(const fs::path& results, const CatalogSchema& schema) {
+  fs::create_directories(results);
+  SQLite::Database db(catalog_path(results).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  for (const auto& migration : schema.migrations) db.exec(std::string(migration.sql));
+  db.exec("PRAGMA application_id = " + std::to_string(catalog_application_id));
+  db.exec("PRAGMA user_version = " + std::to_string(schema.version()));
+}
+
 class Opening : public testing::Test {
  protected:
   fakes::TemporaryFolder folder;
@@ -79,6 +88,27 @@ TEST_F(Opening, migrates_an_older_layout_and_keeps_a_copy) {
   EXPECT_EQ(integer(copy, "PRAGMA user_version"), version);
   EXPECT_FALSE(copy.tableExists("later"));
   EXPECT_EQ(integer(copy, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
+}
+
+TEST_F(Opening, every_older_layout_becomes_the_current_one) {
+  const auto newest = current_catalog_schema();
+  const auto layout = [](const fs::path& of) {
+    const auto db = open_for_writing(of);
+    std::string text;
+    SQLite::Statement rows(*db,
+                           "SELECT m.name || '.' || c.name || ' ' || c.type FROM sqlite_schema m "
+                           "JOIN pragma_table_info(m.name) c ORDER BY m.name, c.name");
+    while (rows.executeStep()) text += rows.getColumn(0).getString() + "\n";
+    return text;
+  };
+  const auto expected = layout(folder.path() / "new");
+  for (std::size_t kept = 1; kept < newest.migrations.size(); ++kept) {
+    auto older = newest;
+    older.migrations.resize(kept);
+    const auto here = folder.path() / std::to_string(kept);
+    ASSERT_NO_THROW(make_tables(here, older)) << kept;
+    EXPECT_EQ(layout(here), expected) << kept;
+  }
 }
 
 TEST_F(Opening, a_migration_that_fails_changes_nothing) {
