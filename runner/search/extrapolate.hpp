@@ -19,9 +19,9 @@ struct Extrapolated {
 };
 
 /// The critical value for cells of size 0, first order in the cell from the two finest: separation comes a
-/// cell early, which is an error of first order. The half width is the whole way of the extrapolation, or the
-/// largest difference between neighbouring cells where three do not come closer, plus what the widths of the
-/// brackets leave open. Empty for less than two cells. `cells`: coarse first.
+/// cell early, which is an error of first order. The half width is the whole way of the extrapolation plus
+/// what the widths of the brackets leave open. Where three cells do not come closer, the value is that of the
+/// finest and the half width the last difference. Empty for less than two cells. `cells`: coarse first.
 std::optional<Extrapolated> extrapolate(std::span<const CellBracket> cells);
 
 }  // namespace mpmstudy

@@ -113,8 +113,9 @@ TEST(Extrapolate, IsExactForFirstOrderAndCoversTheWayAndTheWidths) {
   EXPECT_NEAR(e->value, 500, 1e-9);
   EXPECT_NEAR(e->interval, 10 + 15, 1e-9);  // the way, and 5 * 2 + 5 * 1
   EXPECT_FALSE(extrapolate(std::span(cells, 1)));
-  // Cells that do not come closer: the largest difference between neighbours is in doubt.
+  // Cells that do not come closer: the finest, and the last difference is in doubt.
   const CellBracket wild[] = {{0.4, 500, 500}, {0.2, 510, 510}, {0.1, 540, 540}};
+  EXPECT_NEAR(extrapolate(wild)->value, 540, 1e-9);
   EXPECT_NEAR(extrapolate(wild)->interval, 30, 1e-9);
 }
 
