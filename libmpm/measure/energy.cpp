@@ -35,8 +35,11 @@ void Balance::after_step(const State&, const StepReport& report, double) {
 }
 
 void Balance::sample(const State& s) {
-  const double energy = std::abs(energy_of(s.particles).total() - initial_energy_) / initial_energy_;
-  const double momentum = (momentum_of(s.particles) - initial_momentum_ - impulse_).norm() / momentum_scale_;
+  // a body at rest has neither: nothing off is no error
+  const auto relative = [](double off, double scale) { return off == 0 ? 0 : off / scale; };
+  const double energy = relative(std::abs(energy_of(s.particles).total() - initial_energy_), initial_energy_);
+  const double momentum =
+      relative((momentum_of(s.particles) - initial_momentum_ - impulse_).norm(), momentum_scale_);
   // written so that a NaN stays
   if (!(energy <= energy_error_)) energy_error_ = energy;
   if (!(momentum <= momentum_error_)) momentum_error_ = momentum;

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <sstream>
 
 #include "libmpm/core/errors.hpp"
 #include "libmpm/io/snapshot.hpp"
 #include "libmpm/measure/energy.hpp"
+#include "libmpm/measure/health.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/dispatch.hpp"
+#include "libmpm/scene/run.hpp"
 #include "libmpm/simulation.hpp"
 
 namespace mpm {
@@ -38,38 +38,6 @@ class Schedule {
   std::size_t samples_ = 0, snapshots_ = 0;
 };
 
-/// What the health of a run is measured against.
-struct Limits {
-  double mass;            ///< of the body [kg/m]
-  double pressure_limit;  ///< of the equation of state [Pa]
-};
-
-/// The health of a run after a step; empty if it is well.
-std::string breakdown(const State& state, const StepReport& report, const Limits& limits,
-                      double energy_error) {
-  // rho0/rho of 1/4 is beyond the range of the equation of state; of 10, torn to nothing.
-  constexpr double lowest = -0.75, highest = 9;
-  // Where a cavity closes, pressure is singular: single particles pass the limit, and are counted
-  // (overpressed_mass).
-  constexpr double most_overpressed = 0.01;
-  std::ostringstream text;
-  if (!std::isfinite(report.largest_signal))
-    text << "a particle's state is not finite, or a particle left the grid";
-  else if (report.smallest_dilation < lowest || report.largest_dilation > highest)
-    text << "density left its range: rho0/rho from " << 1 + report.smallest_dilation << " to "
-         << 1 + report.largest_dilation << ", allowed " << 1 + lowest << " to " << 1 + highest;
-  else if (report.overpressed_mass > most_overpressed * limits.mass)
-    text << 100 * report.overpressed_mass / limits.mass
-         << " % of the mass is beyond the equation of state, pressure_limit = " << limits.pressure_limit
-         << " Pa; allowed " << 100 * most_overpressed << " %";
-  else if (!(energy_error < 0.01))
-    text << "energy error " << energy_error << ", allowed 0.01";
-  else
-    return {};
-  text << " (step " << state.step << ", t = " << state.time << " s)";
-  return text.str();
-}
-
 void check(const Scene& scene) {
   const auto problems = find_problems(scene);
   if (problems.empty()) return;
@@ -84,15 +52,18 @@ void check(const Scene& scene) {
 RunResult run(const Scene& scene, Observer& observer) {
   check(scene);
   State state = build_state(scene);
+  const auto measurements = measurements_for(scene, state, observer);
+  return run_state(scene, state, measurements, observer);
+}
+
+RunResult run_state(const Scene& scene, State& state, const Measurements& measurements, Observer& observer) {
   const MaterialModel material = build_material(scene);
   const auto stepper = stepper_for(scene);
   const Temperature temperature{material.eos, scene.material.specific_heat,
                                 scene.material.initial_temperature};
   Balance balance(state);
-  const auto measurements = measurements_for(scene, state, observer);
+  Health health(scene, state);
   Schedule schedule(scene);
-  const Limits limits{std::accumulate(state.particles.mass.begin(), state.particles.mass.end(), 0.0),
-                      scene.material.pressure_limit};
 
   RunResult result;
   result.particles = static_cast<std::int64_t>(state.particles.size());
@@ -126,6 +97,7 @@ RunResult run(const Scene& scene, Observer& observer) {
     if (steps <= 1) state.time = due;
     signal = report.largest_signal;
     balance.after_step(state, report, dt);
+    health.after_step(state, report, dt);
     for (const auto& m : measurements) {
       stepper->refresh_particles(state, m->watched());
       const RowRange rows = m->rows_read(state.grid);
@@ -134,10 +106,13 @@ RunResult run(const Scene& scene, Observer& observer) {
     }
     result.steps = state.step;
 
-    result.reason = breakdown(state, report, limits, balance.energy_error());
-    if (!result.reason.empty()) {
+    if (const auto trouble = health.trouble(balance.energy_error()); trouble != Health::Trouble::none) {
+      stepper->refresh_particles(state);
       result.status = RunStatus::failed;
+      result.reason = health.describe(trouble, state, balance.energy_error());
       result.energy_error = balance.energy_error();
+      health.finish(state, result);
+      observer.on_snapshot(snapshot_of(state, temperature));  // to look at what went wrong
       return result;
     }
     observe();
@@ -152,6 +127,7 @@ RunResult run(const Scene& scene, Observer& observer) {
     for (const auto& m : measurements) m->sample(state);
   for (const auto& m : measurements) m->finish(state, result);
   balance.finish(state, result);
+  health.finish(state, result);
   return result;
 }
 

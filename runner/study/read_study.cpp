@@ -162,6 +162,7 @@ class Reader {
     study_.figures = read_figures(document_, context, problems_);
     study_.search = read_search(document_, kind_, units_, problems_);
     if (study_.search) place_search();
+    study_.expectation = read_expectation(document_, units_, problems_);
   }
 
   /// A searched quantity is not given; until a search says otherwise, scenes hold its lower bound.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> models = {"linear", "quadratic"};
 constexpr std::array<std::string_view, 3> figure_kinds = {"history", "xy", "fields"};
+constexpr std::array<std::string_view, 3> expected_outcomes = {"holds", "breaks", "refused"};
 constexpr std::array<std::string_view, 4> outcomes = {"collapsed", "partial", "ejected", "arrested"};
 
 /// Numbers of the catalog's view `jobs`, and what libmpm/measure/ writes as metrics; the test of this list
@@ -27,6 +28,9 @@ constexpr std::string_view results[] = {"collapsibility",
                                         "transfer_heat_fraction",
                                         "final_kinetic_fraction",
                                         "overpressed_mass_fraction",
+                                        "smallest_density_ratio",
+                                        "largest_density_ratio",
+                                        "largest_cfl",
                                         "aspect_ratio",
                                         "lower_upper_area_ratio",
                                         "centroid_shift_m",
@@ -234,6 +238,33 @@ std::optional<SearchRequest> read_search(const Table& document, std::optional<mp
   else
     problems.add(entry->place, "tolerance", {"missing", "give the width at which the search ends"});
   return search;
+}
+
+std::optional<Expectation> read_expectation(const Table& document, const Units& units, Problems& problems) {
+  using Outcome = Expectation::Outcome;
+  const Entry* entry = document.find("expect");
+  if (!entry || !entry->value.table()) return std::nullopt;
+  const Table& table = *entry->value.table();
+  Expectation expected;
+  const std::string outcome =
+      read_word(*entry, table, "outcome", "expected outcome", expected_outcomes, problems);
+  expected.outcome = outcome == "breaks"    ? Outcome::breaks
+                     : outcome == "refused" ? Outcome::refused
+                                            : Outcome::holds;
+  expected.why = required_string(table, entry->place, "why", "why the case is hard", problems).value_or("");
+  if (expected.outcome != Outcome::holds)
+    expected.reason =
+        required_string(table, entry->place, "reason", "words of the message", problems).value_or("");
+  else if (const Entry* extra = table.find("reason"))
+    problems.add("reason", extra->value, {"what holds has no reason to fail", "remove it"});
+  if (const Entry* limit = table.find("energy_error")) {
+    const Number number = read_quantity(limit->value, {"1", mpm::Range::positive}, units);
+    if (const auto* refusal = std::get_if<Refusal>(&number))
+      problems.add("energy_error", limit->value, *refusal);
+    else
+      expected.energy_error = std::get<double>(number);
+  }
+  return expected;
 }
 
 }  // namespace mpmstudy

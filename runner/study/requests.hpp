@@ -1,5 +1,5 @@
 #pragma once
-/// What a study asks for beside its runs: [[fit]], [[figure]], [search].
+/// What a study asks for beside its runs: [[fit]], [[figure]], [search], [expect].
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +24,9 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
 /// Empty if there is no [search], or after adding problems.
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Problems&);
+
+/// Empty if there is no [expect], or after adding problems.
+std::optional<Expectation> read_expectation(const Table& document, const Units&, Problems&);
 
 /// A name that can be a file's: letters, digits, '-', '_', '.', not first a '.'.
 bool is_file_name(std::string_view);

@@ -19,6 +19,7 @@ const std::vector<Keys>& other_keys() {
       {"numerics", {"accuracy"}},
       {"measure", {"snapshots"}},
       {"search", {"critical", "outcome", "between", "tolerance"}},
+      {"expect", {"outcome", "energy_error", "reason", "why"}},
       {"fit", {"x", "y", "model"}},
       {"figure", {"name", "title", "kind", "x", "y"}},
   };

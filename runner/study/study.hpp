@@ -39,6 +39,19 @@ struct SearchRequest {
   double tolerance = 0;  ///< width of the bracket at which the search ends, > 0, SI of `critical`
 };
 
+/// What a run of the study should come to ([expect]). Only tests/stability looks at it.
+struct Expectation {
+  enum class Outcome {
+    holds,    ///< ends, with an energy error below the limit
+    breaks,   ///< a health limit stops it, and says `reason`
+    refused,  ///< it is no valid scene, for `reason`
+  };
+  Outcome outcome = Outcome::holds;
+  double energy_error = 0.01;  ///< largest one allowed [1]
+  std::string reason;          ///< words of the message; empty where it holds
+  std::string why;             ///< why the case is hard
+};
+
 /// Bad input. what() is "file:line:column: key = value: what is wrong; what is allowed". Exit code 2.
 class StudyError : public std::runtime_error {
  public:
@@ -56,6 +69,7 @@ struct Study {
   std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;
+  std::optional<Expectation> expectation;
 };
 
 struct ReadOptions {

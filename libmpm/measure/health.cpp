@@ -1,0 +1,127 @@
+#include "libmpm/measure/health.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace mpm {
+namespace {
+
+constexpr double lowest_dilation = -0.75, highest_dilation = 9;
+constexpr double most_overpressed = 0.01;
+constexpr double largest_energy_error = 0.01;
+constexpr double largest_cfl = 1;
+
+bool is_finite(const Particles& ps, std::size_t p) {
+  return ps.position[p].allFinite() && ps.velocity[p].allFinite() && std::isfinite(ps.dilation[p]) &&
+         std::isfinite(ps.pressure[p]) && std::isfinite(ps.energy[p]);
+}
+
+bool is_inside(const Vec2& x, const Grid& grid) {
+  const Vec2 low = grid.origin() - 0.5 * grid.cell();
+  const double right = grid.origin().x() + (grid.columns() + 0.5) * grid.cell().x();
+  return x.x() > low.x() && x.x() < right && x.y() > low.y();
+}
+
+/// The particle that stands out in what is wrong.
+std::size_t worst_particle(Health::Trouble trouble, const State& s) {
+  const Particles& ps = s.particles;
+  const auto badness = [&](std::size_t p) {
+    switch (trouble) {
+      case Health::Trouble::not_finite:
+        return is_finite(ps, p) ? (is_inside(ps.position[p], s.grid) ? 0.0 : 1.0) : 2.0;
+      case Health::Trouble::density:  // by how much it is beyond its end of the range
+        return std::max(ps.dilation[p] / highest_dilation, ps.dilation[p] / lowest_dilation);
+      case Health::Trouble::pressure:
+        return ps.pressure[p];
+      default:
+        return ps.velocity[p].squaredNorm();
+    }
+  };
+  std::size_t worst = 0;
+  double most = badness(0);
+  for (std::size_t p = 1; p < ps.size(); ++p)
+    if (const double b = badness(p); b > most) most = b, worst = p;
+  return worst;
+}
+
+std::string_view advice(Health::Trouble trouble) {
+  switch (trouble) {
+    case Health::Trouble::pressure:
+      return "beyond pressure_limit the equation of state means nothing: lower the speed, or take a material "
+             "that is valid further";
+    case Health::Trouble::density:
+      return "try a smaller cfl, a smaller cell_size, or tension = \"cutoff\" where the material is torn";
+    default:
+      return "try a smaller cfl, or a larger linear_viscosity";
+  }
+}
+
+}  // namespace
+
+Health::Health(const Scene& scene, const State& s)
+    : mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
+      pressure_limit_(scene.material.pressure_limit),
+      cell_(s.grid.cell().minCoeff()) {}
+
+void Health::after_step(const State&, const StepReport& report, double dt) {
+  last_ = report;
+  last_cfl_ = dt * report.largest_signal / cell_;
+  largest_cfl_ = std::max(largest_cfl_, last_cfl_);
+  smallest_dilation_ = std::min(smallest_dilation_, report.smallest_dilation);
+  largest_dilation_ = std::max(largest_dilation_, report.largest_dilation);
+}
+
+Health::Trouble Health::trouble(double energy_error) const {
+  if (!std::isfinite(last_.largest_signal)) return Trouble::not_finite;
+  if (last_.smallest_dilation < lowest_dilation || last_.largest_dilation > highest_dilation)
+    return Trouble::density;
+  if (last_.overpressed_mass > most_overpressed * mass_) return Trouble::pressure;
+  if (last_cfl_ > largest_cfl) return Trouble::time_step;
+  if (!(energy_error < largest_energy_error)) return Trouble::energy;
+  return Trouble::none;
+}
+
+std::string Health::describe(Trouble trouble, const State& s, double energy_error) const {
+  std::ostringstream text;
+  switch (trouble) {
+    case Trouble::none:
+      return {};
+    case Trouble::not_finite:
+      text << "a particle's state is not finite, or a particle left the grid";
+      break;
+    case Trouble::density:
+      text << "density left its range: rho0/rho from " << 1 + last_.smallest_dilation << " to "
+           << 1 + last_.largest_dilation << ", allowed " << 1 + lowest_dilation << " to "
+           << 1 + highest_dilation;
+      break;
+    case Trouble::pressure:
+      text << 100 * last_.overpressed_mass / mass_
+           << " % of the mass is beyond the equation of state, pressure_limit = " << pressure_limit_
+           << " Pa; allowed " << 100 * most_overpressed << " %";
+      break;
+    case Trouble::time_step:
+      text << "the time step was too long: CFL number " << last_cfl_ << ", allowed " << largest_cfl;
+      break;
+    case Trouble::energy:
+      text << "energy error " << energy_error << ", allowed " << largest_energy_error;
+      break;
+  }
+  const Particles& ps = s.particles;
+  const std::size_t p = worst_particle(trouble, s);
+  text << " (step " << s.step << ", t = " << s.time << " s; particle " << p
+       << " at x = " << ps.position[p].x() << " m, y = " << ps.position[p].y() << " m, velocity "
+       << ps.velocity[p].x() << ", " << ps.velocity[p].y() << " m/s, rho0/rho " << 1 + ps.dilation[p]
+       << ", pressure " << ps.pressure[p] << " Pa, specific energy " << ps.energy[p] << " J/kg); "
+       << advice(trouble);
+  return text.str();
+}
+
+void Health::finish(const State&, RunResult& result) {
+  result.metrics.push_back({"smallest_density_ratio", 1 / (1 + largest_dilation_), "1", {}});
+  result.metrics.push_back({"largest_density_ratio", 1 / (1 + smallest_dilation_), "1", {}});
+  result.metrics.push_back({"largest_cfl", largest_cfl_, "1", {}});
+}
+
+}  // namespace mpm

@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+
+#include "libmpm/measure/measurement.hpp"
+
+namespace mpm {
+
+/// The health of a run, looked at after every step.
+///
+/// A step is refused, and the run ends as failed, where
+///   - a particle's state is not finite, or a particle left the grid;
+///   - rho0/rho of a particle left [1/4, 10]: beyond the equation of state, torn to nothing;
+///   - more than 1 % of the mass is beyond the equation of state (where a cavity closes, pressure is
+///   singular:
+///     single particles pass its limit, and are counted as overpressed_mass_fraction);
+///   - the step was longer than a cell over the fastest signal, CFL number 1: no explicit step is stable
+///   there;
+///   - total energy is off by 1 %.
+/// Metrics: smallest_density_ratio, largest_density_ratio (rho/rho0 of a particle, over the run), largest_cfl
+/// (dt signal / h, with the signal at the end of the step).
+class Health : public Measurement {
+ public:
+  Health(const Scene&, const State&);
+  void after_step(const State&, const StepReport&, double dt) override;
+  void finish(const State&, RunResult&) override;
+
+  enum class Trouble { none, not_finite, density, pressure, time_step, energy };
+  /// What is wrong after the last step.
+  Trouble trouble(double energy_error) const;
+  /// Says so: the limit, the step, the time, the particle where it is worst with its place and state, and
+  /// what may help. All particles must be up to date.
+  std::string describe(Trouble, const State&, double energy_error) const;
+
+ private:
+  double mass_, pressure_limit_, cell_;
+  StepReport last_;
+  double last_cfl_ = 0, largest_cfl_ = 0;
+  double smallest_dilation_ = 0, largest_dilation_ = 0;
+};
+
+}  // namespace mpm
