@@ -28,12 +28,12 @@ class Report {
     if (q->unit != "1") value.append(" ").append(q->unit);
     problems_.push_back({std::string(name), std::move(value), std::move(allowed)});
   }
-  void require(bool fine, std::string_view name, std::string allowed) {
-    if (!fine) add(name, std::move(allowed));
-  }
   void add_choice(std::string_view name, std::string allowed) {
     const Choice* c = find_choice(name);
     problems_.push_back({std::string(name), std::string(c->allowed[c->get(scene_)]), std::move(allowed)});
+  }
+  void require(bool fine, std::string_view name, std::string allowed) {
+    if (!fine) add(name, std::move(allowed));
   }
   bool empty() const { return problems_.empty(); }
   std::vector<Problem> take() { return std::move(problems_); }
@@ -63,6 +63,10 @@ void check_numerics(const Scene& s, Report& report) {
   const int k = n.particles_per_cell;
   report.require(k == 1 || k == 4 || k == 9 || k == 16, "particles_per_cell", "1, 4, 9 or 16");
   report.require(n.cfl <= 1, "cfl", "more than 0, at most 1");
+  report.require(n.pic_fraction <= 1, "pic_fraction", "from 0 to 1");
+  if (n.kernel == Kernel::fast && !fast_step_has(n))
+    report.add_choice(
+        "kernel", "\"reference\": the fast step has scheme = \"gimp\" and \"bspline2\", pic_fraction = 0");
   const Material& m = s.material;
   report.require(m.poissons_ratio < 0.5, "poissons_ratio", "0 or more, less than 0.5");
   report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");
@@ -116,7 +120,8 @@ void check_size(const Scene& s, Report& report) {
   constexpr double most_particles = 1e9, most_steps = 1e9, most_samples = 1e6;
   const bool shell = s.kind == SceneKind::imploding_shell;
   const double width = shell ? 2 * s.outer_radius : s.block_width;
-  const double height = shell ? width : s.block_height;
+  const double bodies = s.kind == SceneKind::two_body_impact ? 2 : 1;
+  const double height = shell ? width : bodies * s.block_height;
   const double h = s.numerics.cell_size;
   const double particles = width / h * (height / h) * s.numerics.particles_per_cell;
   report.require(particles <= most_particles, "cell_size",
@@ -145,6 +150,7 @@ Numerics default_numerics(SceneKind kind) {
       break;
     case SceneKind::imploding_shell:
     case SceneKind::cavity_impact:
+    case SceneKind::two_body_impact:
       n.scheme = ShapeFunction::bspline2;
       n.particles_per_cell = 4;
       n.linear_viscosity = 0.5;
@@ -167,7 +173,7 @@ std::vector<Problem> find_problems(const Scene& s) {
     return report.take();
   }
   check_block(s, report);
-  if (s.kind == SceneKind::cavity_impact) check_cavity(s, report);
+  if (has_cavity(s.kind)) check_cavity(s, report);
   return report.take();
 }
 
@@ -179,8 +185,8 @@ static double area_of(const Scene& s, const Lattice& lattice) {
     return s.numerics.symmetry == Symmetry::half ? ring / 4 : ring;
   }
   double area = lattice.width * s.block_height;
-  if (s.kind == SceneKind::cavity_impact)
-    area -= pi * s.cavity_radius * s.cavity_radius * (lattice.width / s.block_width);
+  if (s.kind == SceneKind::two_body_impact) area *= 2;
+  if (has_cavity(s.kind)) area -= pi * s.cavity_radius * s.cavity_radius * (lattice.width / s.block_width);
   return area;
 }
 
