@@ -30,18 +30,20 @@ void stop(Node& n, int axis) {
 
 void reflect_sides(Grid& grid, int top_row) {
   const int right = grid.columns();
-  for (int j = -1; j <= top_row; ++j) {
+  for (int j = -Grid::ghosts; j <= top_row; ++j) {
     stop(grid.at(0, j), 0);
-    join(grid.at(1, j), grid.at(-1, j), 0);
     stop(grid.at(right, j), 0);
-    join(grid.at(right - 1, j), grid.at(right + 1, j), 0);
+    for (int k = 1; k <= Grid::ghosts; ++k) {
+      join(grid.at(k, j), grid.at(-k, j), 0);
+      join(grid.at(right - k, j), grid.at(right + k, j), 0);
+    }
   }
 }
 
 void reflect_floor(Grid& grid) {
-  for (int i = -1; i <= grid.columns() + 1; ++i) {
+  for (int i = -Grid::ghosts; i <= grid.columns() + Grid::ghosts; ++i) {
     stop(grid.at(i, 0), 1);
-    join(grid.at(i, 1), grid.at(i, -1), 1);
+    for (int k = 1; k <= Grid::ghosts; ++k) join(grid.at(i, k), grid.at(i, -k), 1);
   }
 }
 

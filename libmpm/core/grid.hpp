@@ -20,21 +20,24 @@ struct RowRange {
   int first = 0, last = -1;
 };
 
-/// Uniform grid of nodes x = origin + (i hx, j hy), with one layer of ghost nodes below and on both sides
+/// Uniform grid of nodes x = origin + (i hx, j hy), with layers of ghost nodes below and on both sides
 /// (behind the mirrors) and as many rows upwards as the particles ask for. Rows are contiguous.
 class Grid {
  public:
-  /// columns: cells across. A stencil may start one node outside of [0, columns].
+  /// Layers of ghost nodes: a stencil may reach this far out of [0, columns].
+  static constexpr int ghosts = 2;
+
+  /// columns: cells across.
   Grid(Vec2 origin, Vec2 cell, int columns);
 
   const Vec2& origin() const { return origin_; }
   const Vec2& cell() const { return cell_; }                  ///< (hx, hy) [m]
   const Vec2& inverse_cell() const { return inverse_cell_; }  ///< [1/m]
   int columns() const { return columns_; }
-  int rows() const { return rows_; }  ///< nodes j = -1 ... rows() - 2 exist
+  int rows() const { return rows_; }  ///< nodes j = -ghosts ... rows() - 2 exist
   int stride() const { return stride_; }
 
-  /// Node (i, j), -1 <= i <= columns + 1, -1 <= j.
+  /// Node (i, j), -ghosts <= i <= columns + ghosts, -ghosts <= j.
   Node& at(int i, int j) { return nodes_[index(i, j)]; }
   const Node& at(int i, int j) const { return nodes_[index(i, j)]; }
 
@@ -46,8 +49,8 @@ class Grid {
   const std::vector<Node>& nodes() const { return nodes_; }
 
   std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(stride_) +
-           static_cast<std::size_t>(i + 1);
+    return static_cast<std::size_t>(j + ghosts) * static_cast<std::size_t>(stride_) +
+           static_cast<std::size_t>(i + ghosts);
   }
 
  private:

@@ -22,6 +22,8 @@ struct Particles {
   std::vector<double> plastic_strain;    ///< equivalent [1]
   std::vector<double> plastic_work;      ///< per mass [J/kg]
   std::vector<Vec2> half_size;           ///< of the particle's domain [m]
+  /// Half edges of the particle's parallelogram, as columns [m]; empty with schemes that have none (Cpdi).
+  std::vector<Mat2> domain;
   std::vector<PlaneTensor> back_stress;  ///< [Pa]; empty without kinematic hardening
 
   std::size_t size() const { return position.size(); }

@@ -8,26 +8,39 @@
 #include "libmpm/measure/shell.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/shape/bspline2.hpp"
+#include "libmpm/shape/bspline3.hpp"
+#include "libmpm/shape/cpdi.hpp"
 #include "libmpm/shape/gimp.hpp"
 #include "libmpm/step/fast/fast_stepper.hpp"
+#include "libmpm/step/flip_pic.hpp"
 #include "libmpm/step/reference_stepper.hpp"
 
 namespace mpm {
 
 namespace {
 
+template <ShapeFunctions Shape>
+std::unique_ptr<Stepper> reference_stepper_on(const Scene& s) {
+  const double f = s.numerics.pic_fraction;
+  if (f == 0) return std::make_unique<ReferenceStepper<Shape>>(build_material(s));
+  return std::make_unique<ReferenceStepper<Shape, FlipPic>>(build_material(s), FlipPic{f});
+}
+
 std::unique_ptr<Stepper> reference_stepper(const Scene& s) {
   switch (s.numerics.scheme) {
     case ShapeFunction::gimp:
-      return std::make_unique<ReferenceStepper<Gimp>>(build_material(s));
+      return reference_stepper_on<Gimp>(s);
     case ShapeFunction::bspline2:
-      return std::make_unique<ReferenceStepper<BSpline2>>(build_material(s));
+      return reference_stepper_on<BSpline2>(s);
+    case ShapeFunction::cpdi:
+      return reference_stepper_on<Cpdi>(s);
+    case ShapeFunction::bspline3:
+      return reference_stepper_on<BSpline3>(s);
   }
   throw std::logic_error("a scheme that is not compiled");
 }
 
-/// The fast step knows every scheme and every material; a new one that it lacks must be refused by
-/// find_problems().
+/// Every material, and what fast_step_has(); find_problems() refuses the rest.
 std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
   const fast::Variant variant{.gimp = s.numerics.scheme == ShapeFunction::gimp,
                               .back_stress = s.material.kinematic_fraction > 0,
@@ -36,6 +49,10 @@ std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
 }
 
 }  // namespace
+
+bool fast_step_has(const Numerics& n) {
+  return (n.scheme == ShapeFunction::gimp || n.scheme == ShapeFunction::bspline2) && n.pic_fraction == 0;
+}
 
 std::unique_ptr<Stepper> stepper_for(const Scene& s) {
   switch (s.numerics.kernel) {

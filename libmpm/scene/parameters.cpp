@@ -83,6 +83,8 @@ const Quantity quantity_table[] = {
      [](S& s, double v) { s.numerics.particles_per_cell = static_cast<int>(v); }},
     {"cfl", "1", "cfl", "share of the stability limit that a time step takes",
      N, positive, optional, "", every, FIELD(numerics.cfl)},
+    {"pic_fraction", "1", "pic_fraction", "share of PIC in the FLIP transfer, a step; damps what the grid cannot see",
+     N, non_negative, optional, "", every, FIELD(numerics.pic_fraction)},
     {"linear_viscosity", "1", "linear_viscosity", "linear coefficient of the artificial viscosity",
      N, non_negative, optional, "", every, FIELD(numerics.linear_viscosity)},
     {"quadratic_viscosity", "1", "quadratic_viscosity", "quadratic coefficient of the artificial viscosity",
@@ -96,7 +98,7 @@ const Quantity quantity_table[] = {
 
 constexpr std::string_view tension_names[] = {"polynomial", "linear", "cutoff"};
 constexpr std::string_view hardening_names[] = {"norm", "equivalent", "tangent"};
-constexpr std::string_view scheme_names[] = {"gimp", "bspline2"};
+constexpr std::string_view scheme_names[] = {"gimp", "bspline2", "cpdi", "bspline3"};
 constexpr std::string_view symmetry_names[] = {"half", "full"};
 constexpr std::string_view kernel_names[] = {"fast", "reference"};
 constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact", "imploding-shell"};

@@ -19,6 +19,8 @@ enum class SceneKind {
 enum class ShapeFunction {
   gimp,      ///< generalised interpolation, particle domains that follow the stretch
   bspline2,  ///< quadratic B-spline
+  cpdi,      ///< parallelograms that follow the whole deformation
+  bspline3,  ///< cubic B-spline
 };
 
 /// How much of the configuration is modelled.
@@ -40,6 +42,7 @@ struct Numerics {
   ShapeFunction scheme = ShapeFunction::bspline2;
   Symmetry symmetry = Symmetry::half;
   Kernel kernel = Kernel::fast;
+  double pic_fraction = 0;         ///< share of PIC in the FLIP transfer, a step [1]; see step/flip_pic.hpp
   double cfl = 0;                  ///< share of h / (signal speed) that a step takes [1]
   double linear_viscosity = 0;     ///< q1 [1]; see material/artificial_viscosity.hpp
   double quadratic_viscosity = 0;  ///< q2 [1]
@@ -67,6 +70,9 @@ struct Scene {
   Numerics numerics;
   Measures measures;
 };
+
+/// Whether the fast step knows the scheme and the transfer; if not, the kernel must be the reference.
+bool fast_step_has(const Numerics&);
 
 /// The numerics that a kind of scene uses where a study says nothing (cell_size stays 0: it must be said).
 Numerics default_numerics(SceneKind);

@@ -9,7 +9,7 @@ namespace mpm {
 /// Source: Steffen, Kirby, Berzins 2008, Int. J. Numer. Meth. Engng 76, 922.
 /// Partition of unity and linear reproduction hold at walls too, since walls are mirrors with ghost nodes.
 struct BSpline2 {
-  static constexpr bool domains_follow_stretch = false;
+  static constexpr int reach = 2;
 
   static Weights evaluate(double xi, double /*half*/) {
     Weights w;
@@ -20,6 +20,7 @@ struct BSpline2 {
     w.slope = {d - 0.5, -2 * d, d + 0.5};
     return w;
   }
+  static void follow(const Grid&, Particles&, std::size_t, const Mat2&) {}
 };
 static_assert(ShapeFunctions<BSpline2>);
 

@@ -13,7 +13,7 @@ namespace mpm {
 /// The domain follows the diagonal stretch of the particle ("updated domains"); one that is wider than a cell
 /// is treated as one cell wide.
 struct Gimp {
-  static constexpr bool domains_follow_stretch = true;
+  static constexpr int reach = 2;
   static constexpr double largest_half_size = 0.5;  ///< cells; three nodes an axis reach no further
 
   static Weights evaluate(double xi, double half) {
@@ -28,6 +28,10 @@ struct Gimp {
     w.value[1] = 1 - (w.value[0] + w.value[2]);
     w.slope[1] = -(w.slope[0] + w.slope[2]);
     return w;
+  }
+  static void follow(const Grid&, Particles& particles, std::size_t p, const Mat2& growth) {
+    particles.half_size[p].x() *= 1 + growth(0, 0);
+    particles.half_size[p].y() *= 1 + growth(1, 1);
   }
 
  private:

@@ -12,21 +12,15 @@ namespace mpm {
 template <ShapeFunctions Shape>
 void p2g(const Particles& particles, Grid& grid) {
   for (std::size_t p = 0; p < particles.size(); ++p) {
-    const Stencil n = stencil_at<Shape>(grid, particles.position[p], particles.half_size[p]);
+    const auto stencil = stencil_of<Shape>(grid, particles, p);
     const double mass = particles.mass[p];
     const Vec2 momentum = mass * particles.velocity[p];
     const PlaneTensor stress = particles.volume(p) * particles.stress(p);
-    for (int j = 0; j < 3; ++j) {
-      Node* row = &grid.at(n.x.first, n.y.first + j);
-      for (int i = 0; i < 3; ++i) {
-        const double w = n.weight(i, j);
-        const Vec2 g = n.gradient(i, j, grid.inverse_cell());
-        row[i].mass += w * mass;
-        row[i].velocity += w * momentum;
-        row[i].acceleration -=
-            Vec2(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
-      }
-    }
+    stencil.for_each(grid, [&](Node& n, double w, const Vec2& g) {
+      n.mass += w * mass;
+      n.velocity += w * momentum;
+      n.acceleration -= Vec2(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
+    });
   }
 }
 

@@ -5,14 +5,18 @@
 namespace mpm {
 
 /// The plain step, on the State itself.
-template <ShapeFunctions Shape>
+template <ShapeFunctions Shape, class Transfer = Flip>
 class ReferenceStepper : public Stepper {
  public:
-  explicit ReferenceStepper(const MaterialModel& model) : model_(model) {}
-  StepReport step(State& state, double dt) override { return reference_step<Shape>(state, model_, dt); }
+  explicit ReferenceStepper(const MaterialModel& model, const Transfer& transfer = {})
+      : model_(model), transfer_(transfer) {}
+  StepReport step(State& state, double dt) override {
+    return reference_step<Shape>(state, model_, dt, transfer_);
+  }
 
  private:
   MaterialModel model_;
+  Transfer transfer_;
 };
 
 }  // namespace mpm

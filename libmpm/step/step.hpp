@@ -6,7 +6,8 @@
 ///   1. p2g       mass, momentum and internal forces go to the grid
 ///   2. mirrors   what lies behind a side wall is the image of what lies before it
 ///   3. grid      a = f/m, v <- v + dt a; the impact wall pushes
-///   4. g2p       particles accelerate (FLIP), move, receive their work and the heat of the transfer
+///   4. g2p       particles accelerate (flip.hpp, flip_pic.hpp), move, receive their work and the heat of the
+///   transfer
 ///   5. stress    density, deviator, pressure, viscosity from the new velocity gradient
 ///
 /// Velocities and energies that particles carry belong to the middle between two stresses (leapfrog),
@@ -24,8 +25,9 @@
 
 namespace mpm {
 
-template <ShapeFunctions Shape>
-StepReport reference_step(State& state, const MaterialModel& model, double dt) {
+template <ShapeFunctions Shape, class Transfer = Flip>
+StepReport reference_step(State& state, const MaterialModel& model, double dt,
+                          const Transfer& transfer = {}) {
   StepReport report;
   Grid& grid = state.grid;
   double highest = grid.origin().y();
@@ -40,7 +42,8 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt) {
     report.largest_signal = std::numeric_limits<double>::quiet_NaN();
     return report;
   }
-  const int top = static_cast<int>((highest - grid.origin().y()) * grid.inverse_cell().y()) + 2;
+  if constexpr (requires { Shape::start(state.particles); }) Shape::start(state.particles);
+  const int top = static_cast<int>((highest - grid.origin().y()) * grid.inverse_cell().y()) + Shape::reach;
   grid.grow_to_row(top);
   grid.clear();
 
@@ -51,7 +54,7 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt) {
   update_grid(grid, dt);
   if (state.floor == Floor::impact_wall) apply_impact_wall(grid, dt);
   report.wall_impulse = wall_impulse(grid, dt);
-  report.transfer_heat = g2p<Shape>(state.particles, grid, dt, state.velocity_gradient);
+  report.transfer_heat = g2p<Shape>(state.particles, grid, dt, state.velocity_gradient, transfer);
   update_stress(state, model, dt, report);
 
   report.highest = highest;

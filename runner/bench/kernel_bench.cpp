@@ -95,6 +95,7 @@ std::vector<KernelBenchRow> bench_kernel(const KernelBenchOptions& options) {
     for (const std::int64_t wanted : options.particles) {
       mpm::Scene scene = strong_cavity(wanted);
       schemes.set(scene, scheme);
+      if (!mpm::fast_step_has(scene.numerics)) continue;
       scene.numerics.kernel = mpm::Kernel::fast;
       Walk fast(scene);
       scene.numerics.kernel = mpm::Kernel::reference;

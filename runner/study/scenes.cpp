@@ -124,6 +124,8 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
   Reporter reporter(request, ordered, combinations, problems);
   std::vector<mpm::Scene> scenes;
   scenes.reserve(combinations.jobs());
+  const bool names_kernel =
+      std::ranges::any_of(ordered, [](const Assignment& one) { return one.axis->name() == "kernel"; });
   int bad_jobs = 0;
   for (std::uint64_t job = 0; job < combinations.jobs() && bad_jobs < most_bad_jobs; ++job) {
     mpm::Scene& scene = scenes.emplace_back(base);
@@ -134,6 +136,7 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
       else
         one.axis->choice->set(scene, static_cast<std::size_t>(value));
     }
+    if (!names_kernel && !mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
     bad_jobs += reporter.check(scene, job);
   }

@@ -51,6 +51,16 @@ TEST(FindProblems, SizesBeyondReasonAreASlipOfTheUnit) {
   EXPECT_THAT(first_problem(s), HasSubstr("a millionth of end_time"));
 }
 
+TEST(FindProblems, SchemesThatTheFastStepLacksNeedTheReference) {
+  mpm::Scene s = scenes::cavity(0.2e-6);
+  s.numerics.scheme = mpm::ShapeFunction::cpdi;
+  EXPECT_THAT(first_problem(s), HasSubstr("kernel: \"reference\""));
+  s.numerics.kernel = mpm::Kernel::reference;
+  EXPECT_EQ(first_problem(s), "");
+  s.numerics.pic_fraction = 1.5;
+  EXPECT_EQ(first_problem(s), "pic_fraction: from 0 to 1");
+}
+
 TEST(FindProblems, ATangentCavityIsFine) {
   mpm::Scene s = scenes::cavity(0.1e-6);
   s.cavity_center_height = s.cavity_radius;

@@ -7,7 +7,10 @@
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/shape/bspline2.hpp"
+#include "libmpm/shape/bspline3.hpp"
+#include "libmpm/shape/cpdi.hpp"
 #include "libmpm/shape/gimp.hpp"
+#include "libmpm/step/flip_pic.hpp"
 #include "libmpm/step/step.hpp"
 #include "tests/libmpm/random_state.hpp"
 #include "tests/libmpm/scenes.hpp"
@@ -15,12 +18,18 @@
 namespace {
 
 template <class Shape>
+void start_domains(mpm::Particles& particles) {
+  if constexpr (requires { Shape::start(particles); }) Shape::start(particles);
+}
+
+template <class Shape>
 class StepTest : public testing::Test {};
-using Shapes = testing::Types<mpm::Gimp, mpm::BSpline2>;
+using Shapes = testing::Types<mpm::Gimp, mpm::Cpdi, mpm::BSpline2, mpm::BSpline3>;
 TYPED_TEST_SUITE(StepTest, Shapes);
 
 TYPED_TEST(StepTest, P2gKeepsMassAndMomentumAndItsForcesAddUpToZero) {
   mpm::State s = random_state(scenes::cavity(0.2e-6), 1e-6);
+  start_domains<TypeParam>(s.particles);
   s.grid.grow_to_row(60);
   mpm::p2g<TypeParam>(s.particles, s.grid);
   double mass = 0, particle_mass = 0, force_scale = 0;
@@ -48,6 +57,49 @@ TYPED_TEST(StepTest, KeepsEnergyToRoundingWhateverTheState) {
     EXPECT_NEAR((mpm::energy_of(s.particles).total() - before) / scale, 0, 1e-13) << lift;
     EXPECT_GT(r.transfer_heat, 0);  // random velocities are more than a grid can carry
   }
+}
+
+TYPED_TEST(StepTest, KeepsEnergyToRoundingWithAnyShareOfPic) {
+  const mpm::Scene scene = scenes::cavity(0.2e-6);
+  const mpm::MaterialModel material = mpm::build_material(scene);
+  double last = 0;
+  for (const double share : {0.05, 0.5, 1.0})
+    for (const double lift : {0.13e-6, 1e-6}) {
+      mpm::State s = random_state(scene, lift);
+      const double before = mpm::energy_of(s.particles).total();
+      const double scale = mpm::energy_of(s.particles).kinetic;
+      const mpm::StepReport r =
+          mpm::reference_step<TypeParam>(s, material, 5e-12, mpm::FlipPic{.pic_fraction = share});
+      EXPECT_NEAR((mpm::energy_of(s.particles).total() - before) / scale, 0, 1e-13) << share << ' ' << lift;
+      EXPECT_GT(r.transfer_heat, lift == 1e-6 ? last : 0);  // the more PIC, the more heat
+      if (lift == 1e-6) last = r.transfer_heat;
+    }
+}
+
+// The heat of the transfer is not negative for any particle, with any share of PIC.
+TYPED_TEST(StepTest, HeatOfTheTransferIsNeverNegative) {
+  const mpm::Scene scene = scenes::cavity(0.2e-6);
+  const mpm::MaterialModel material = mpm::build_material(scene);
+  for (const double share : {0.0, 0.05, 0.5, 1.0}) {
+    mpm::State s = random_state(scene, 1e-6);
+    for (std::size_t p = 0; p < s.particles.size(); ++p)  // no forces, so no work; all heat is the transfer's
+      s.particles.pressure[p] = 0, s.particles.deviator[p] = {};
+    const std::vector<double> before = s.particles.energy;
+    mpm::reference_step<TypeParam>(s, material, 5e-12, mpm::FlipPic{share});
+    for (std::size_t p = 0; p < before.size(); ++p) EXPECT_GE(s.particles.energy[p], before[p]);
+  }
+}
+
+// With all of PIC a particle takes the velocity of the grid.
+TEST(FlipPic, OfOneIsPic) {
+  mpm::Node n;
+  n.velocity = mpm::Vec2(3, 4), n.acceleration = mpm::Vec2(2, 1);
+  const mpm::Vec2 own(7, -1);
+  mpm::FlipPic::Sums sums;
+  sums.add(n, 1, own, 0.5);
+  const mpm::Given given = mpm::FlipPic{1}.given(sums, own, 0.5);
+  EXPECT_NEAR((own + given.velocity - n.velocity).norm(), 0, 1e-15);
+  EXPECT_NEAR(given.heat, 0.5 * (own - mpm::Vec2(2, 3.5)).squaredNorm(), 1e-13);
 }
 
 TYPED_TEST(StepTest, WithoutStressNothingIsLost) {

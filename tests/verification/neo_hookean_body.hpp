@@ -36,19 +36,20 @@ struct NeoHookeanBody {
             const std::function<mpm::Vec2(const mpm::Vec2&, const mpm::Vec2&, double)>& force) {
     mpm::Particles& ps = state.particles;
     mpm::Grid& grid = state.grid;
-    grid.grow_to_row(top + 2);
+    if constexpr (requires { Shape::start(ps); }) Shape::start(ps);
+    grid.grow_to_row(top + 1 + Shape::reach);
     grid.clear();
     mpm::p2g<Shape>(ps, grid);
     for (std::size_t p = 0; p < ps.size(); ++p) {
-      const mpm::Stencil n = mpm::stencil_at<Shape>(grid, ps.position[p], ps.half_size[p]);
       const mpm::Vec2 b = ps.mass[p] * force(initial[p], ps.position[p], state.time);
-      for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) grid.at(n.x.first + i, n.y.first + j).acceleration += n.weight(i, j) * b;
+      mpm::stencil_of<Shape>(grid, ps, p).for_each(grid, [&](mpm::Node& n, double w, const mpm::Vec2&) {
+        n.acceleration += w * b;
+      });
     }
     for (mpm::Node& n : grid.nodes()) n.own_mass = n.mass;
-    mpm::reflect_sides(grid, top + 1);
+    mpm::reflect_sides(grid, top + Shape::reach);
     if (state.floor == mpm::Floor::mirror) mpm::reflect_floor(grid);
-    if (mirror_at_top) reflect_top(top);
+    if (mirror_at_top) reflect_top(top, Shape::reach);
     mpm::update_grid(grid, dt);
     if (state.floor == mpm::Floor::impact_wall) mpm::apply_impact_wall(grid, dt);
     mpm::g2p<Shape>(ps, grid, dt, state.velocity_gradient);
@@ -65,16 +66,19 @@ struct NeoHookeanBody {
   }
 
  private:
-  void reflect_top(int row) {
-    for (int i = -1; i <= state.grid.columns() + 1; ++i) {
-      mpm::Node &inside = state.grid.at(i, row - 1), &outside = state.grid.at(i, row + 1);
-      const auto image = [](mpm::Vec2 v) { return mpm::Vec2(v.x(), -v.y()); };
-      inside.mass += outside.mass;
-      inside.velocity += image(outside.velocity);
-      inside.acceleration += image(outside.acceleration);
-      outside.mass = inside.mass;
-      outside.velocity = image(inside.velocity);
-      outside.acceleration = image(inside.acceleration);
+  void reflect_top(int row, int reach) {
+    const int ghosts = mpm::Grid::ghosts;
+    const auto image = [](mpm::Vec2 v) { return mpm::Vec2(v.x(), -v.y()); };
+    for (int i = -ghosts; i <= state.grid.columns() + ghosts; ++i) {
+      for (int k = 1; k <= reach; ++k) {
+        mpm::Node &inside = state.grid.at(i, row - k), &outside = state.grid.at(i, row + k);
+        inside.mass += outside.mass;
+        inside.velocity += image(outside.velocity);
+        inside.acceleration += image(outside.acceleration);
+        outside.mass = inside.mass;
+        outside.velocity = image(inside.velocity);
+        outside.acceleration = image(inside.acceleration);
+      }
       state.grid.at(i, row).velocity.y() = state.grid.at(i, row).acceleration.y() = 0;
     }
   }

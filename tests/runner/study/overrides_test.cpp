@@ -43,6 +43,17 @@ TEST(Overrides, MaySweep) {
   EXPECT_EQ(with("impact_speed", "{ from = 100, to = 200, count = 5, unit = \"m/s\" }").scenes.size(), 5u);
 }
 
+// The reference step where the fast one lacks the scheme or the transfer, unless the study names a kernel.
+TEST(Overrides, KernelFollowsTheScheme) {
+  const auto kernel = [](const Study& study) { return study.scenes[0].numerics.kernel; };
+  EXPECT_EQ(kernel(with("scheme", "bspline2")), mpm::Kernel::fast);
+  EXPECT_EQ(kernel(with("scheme", "cpdi")), mpm::Kernel::reference);
+  EXPECT_EQ(kernel(with("pic_fraction", "0.02")), mpm::Kernel::reference);
+  ReadOptions named;
+  named.set = {{"scheme", "bspline3"}, {"kernel", "fast"}};
+  EXPECT_THAT(problems_of(study_text(), named), HasSubstr("allowed: \"reference\": the fast step has"));
+}
+
 TEST(Overrides, TakeThePlaceOfAnAlternative) {
   const Study study = with("wall_thickness", "1 um");
   EXPECT_DOUBLE_EQ(study.scenes[0].cavity_center_height, 3.5e-6);
