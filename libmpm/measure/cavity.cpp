@@ -1,5 +1,6 @@
 #include "libmpm/measure/cavity.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mpm {
@@ -24,15 +25,24 @@ Cavity::Cavity(const Scene& s, const State& state, Observer& observer)
                s.numerics.symmetry == Symmetry::half),
       void_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,
             s.numerics.particles_per_cell),
-      initial_offset_(contour_.centroid().y() - center_of_mass_height(state.particles)) {}
+      initial_offset_(contour_.centroid().y() - center_of_mass_height(state.particles)),
+      smallest_area_(contour_.area()),
+      smallest_sample_(smallest_area_) {}
 
-void Cavity::after_step(const State& s, const StepReport&, double dt) { contour_.advance(s.grid, dt); }
+void Cavity::after_step(const State& s, const StepReport&, double dt) {
+  contour_.advance(s.grid, dt);
+  if (crossed_time_ < 0) smallest_area_ = std::min(smallest_area_, std::max(contour_.area(), 0.0));
+}
 
 void Cavity::sample(const State& s) {
   const AreaSample now{s.time, contour_.area(), void_.update(s)};
   if (now.void_area == 0 && closed_time_ < 0) closed_time_ = s.time;
   if (void_.joined_outside() && joined_time_ < 0) joined_time_ = s.time;
   if (crossed_time_ < 0 && contour_.crosses_itself()) crossed_time_ = s.time;
+  if (crossed_time_ < 0 && now.area < smallest_sample_) {
+    smallest_sample_ = now.area;
+    smallest_difference_ = std::abs(now.void_area - now.area);
+  }
   history_.push_back(now);
   observer_.on_area(now);
 }
@@ -52,7 +62,8 @@ void Cavity::finish(const State& s, RunResult& result) {
   const double final_area = sum / count;
   for (const AreaSample& a : history_)
     if (a.time >= start) sum_of_squares += (area_of(a) - final_area) * (area_of(a) - final_area);
-  const double error = std::hypot(std::sqrt(sum_of_squares / count), difference / count);
+  const double scatter = std::sqrt(sum_of_squares / count);
+  const double error = std::hypot(scatter, difference / count);
   const double initial_area = history_.front().area;
 
   result.initial_area = initial_area;
@@ -63,6 +74,10 @@ void Cavity::finish(const State& s, RunResult& result) {
   result.outcome = history_.back().void_area == 0 ? "collapsed" : "partial";
 
   auto& m = result.metrics;
+  m.push_back({"final_area_scatter_m2", scatter, "m2", {}});
+  m.push_back({"final_area_difference_m2", std::abs(difference / count), "m2", {}});
+  m.push_back({"largest_collapsibility", (initial_area - smallest_area_) / initial_area, "1",
+               smallest_difference_ / initial_area});
   if (crossed_time_ < 0) {
     m.push_back({"aspect_ratio", contour_.width() / contour_.height(), "1", {}});
     m.push_back({"lower_upper_area_ratio", contour_.lower_upper_ratio(), "1", {}});

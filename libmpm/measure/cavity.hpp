@@ -9,11 +9,15 @@ namespace mpm {
 ///
 /// Final area: mean of the contour's area over the last quarter of the run; of the void's, once the contour
 /// has crossed itself. Its error: the scatter over that window (standard deviation) and the mean difference
-/// between the two areas, in quadrature. Outcome: `collapsed` if the void is gone at the end, else `partial`.
-/// A void that opens again elsewhere after it was gone is not followed. Metrics: aspect_ratio (width /
-/// height), lower_upper_area_ratio, centroid_shift_m (along the impact, against the body's centre of mass),
-/// all three only for a contour that has not crossed itself; cavity_closed_time_s,
-/// cavity_joined_outside_time_s, contour_crossed_time_s, each only if it happened; final_void_area_m2.
+/// between the two areas, in quadrature; the two are the metrics final_area_scatter_m2 and
+/// final_area_difference_m2. largest_collapsibility: (initial - smallest area) / initial, of the contour
+/// until it first crosses itself, looked at after every step; its error: what the two areas differed by at
+/// the sample next to it. It has a limit where the final area has none, because a cavity that closed was torn
+/// open again. Outcome: `collapsed` if the void is gone at the end, else `partial`. A void that opens again
+/// elsewhere after it was gone is not followed. Metrics: aspect_ratio (width / height),
+/// lower_upper_area_ratio, centroid_shift_m (along the impact, against the body's centre of mass), all three
+/// only for a contour that has not crossed itself; cavity_closed_time_s, cavity_joined_outside_time_s,
+/// contour_crossed_time_s, each only if it happened; final_void_area_m2.
 class Cavity : public Measurement {
  public:
   Cavity(const Scene&, const State&, Observer&);
@@ -27,7 +31,10 @@ class Cavity : public Measurement {
   Contour contour_;
   VoidArea void_;
   std::vector<AreaSample> history_;
-  double initial_offset_;  ///< centroid above the centre of mass [m]
+  double initial_offset_;           ///< centroid above the centre of mass [m]
+  double smallest_area_;            ///< of the contour until it crosses itself [m^2]
+  double smallest_difference_ = 0;  ///< between the two areas at the sample with the smallest one [m^2]
+  double smallest_sample_;          ///< that one [m^2]
   double closed_time_ = -1, joined_time_ = -1, crossed_time_ = -1;
 };
 

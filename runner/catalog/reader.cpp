@@ -23,7 +23,9 @@ std::vector<StudyState> read_studies(SQLite::Database& db) {
   while (names.executeStep())
     studies.push_back({names.getColumn(0).getString(), names.getColumn(1).getString(), {}});
   SQLite::Statement counts(
-      db, "SELECT study, status, count(*) FROM jobs WHERE study IS NOT NULL GROUP BY study, status");
+      db,
+      "SELECT s.name, j.status, count(*) FROM study s JOIN study_job m ON m.study_id = s.id "
+      "JOIN job j ON j.id = m.job_id GROUP BY s.name, j.status");
   while (counts.executeStep())
     for (auto& study : studies)
       if (study.name == counts.getColumn(0).getString())
@@ -34,7 +36,8 @@ std::vector<StudyState> read_studies(SQLite::Database& db) {
 /// A job that a study once had keeps its row: it is reused when one has it again.
 StudyState read_no_study(SQLite::Database& db) {
   StudyState none;
-  SQLite::Statement counts(db, "SELECT status, count(*) FROM jobs WHERE study IS NULL GROUP BY status");
+  SQLite::Statement counts(
+      db, "SELECT status, count(*) FROM job WHERE id NOT IN (SELECT job_id FROM study_job) GROUP BY status");
   while (counts.executeStep())
     none.jobs[job_status_from(counts.getColumn(0).getString())] = counts.getColumn(1).getInt64();
   return none;

@@ -49,6 +49,24 @@ struct FitRow {
   std::string unit;  ///< of value
 };
 
+/// The interval of one number of one job; a row of the view `accuracy`. Half widths, in `unit`.
+struct IntervalRow {
+  std::string key;       ///< of the job with the finest cell
+  std::string quantity;  ///< "collapsibility"
+  std::string unit;      ///< SI; "1" for a pure number
+  double value = 0;      ///< of that job
+  double error = 0;      ///< of the whole interval about it
+  double extrapolated_value = 0;
+  double extrapolated_error = 0;  ///< of the interval about that
+  std::optional<double> observed_order;
+  std::string method;  ///< analysis/extrapolation.hpp
+  int cells = 1;       ///< that the interval was made from
+  double discretisation_error = 0;
+  double measuring_error = 0;
+  std::optional<double> measuring_difference, scatter;  ///< the parts of measuring_error, where known
+  std::optional<double> wanted_error;                   ///< of an accuracy
+};
+
 /// A bracket of a critical speed and the two jobs that prove it; a row of the view `critical_speed`.
 struct CriticalSpeedRow {
   std::optional<double> wall_thickness;  ///< [m]

@@ -138,6 +138,32 @@ CREATE TABLE critical_speed_bracket (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
+constexpr std::string_view version_2 = R"sql(
+ALTER TABLE study_job ADD COLUMN coarse INTEGER NOT NULL DEFAULT 0;  -- 1: a coarser cell of the job at its position
+CREATE INDEX study_job_by_position ON study_job (study_id, position);
+
+CREATE TABLE interval (            -- of one number of one job, from the cells under it
+  study_id             INTEGER NOT NULL REFERENCES study (id),
+  job_id               INTEGER NOT NULL REFERENCES job (id),
+  quantity             TEXT NOT NULL,
+  unit                 TEXT NOT NULL,
+  value                REAL NOT NULL,
+  error                REAL NOT NULL,
+  extrapolated_value   REAL NOT NULL,
+  extrapolated_error   REAL NOT NULL,
+  observed_order       REAL,
+  method               TEXT NOT NULL,
+  cells                INTEGER NOT NULL,
+  discretisation_error REAL NOT NULL,
+  measuring_error      REAL NOT NULL,
+  measuring_difference REAL,        -- the parts of measuring_error, where they are known
+  scatter              REAL,
+  wanted_error         REAL,        -- of an accuracy
+  PRIMARY KEY (study_id, job_id, quantity)
+) STRICT, WITHOUT ROWID;
+CREATE INDEX interval_by_job ON interval (job_id, quantity);
+)sql";
+
 constexpr std::string_view jobs_before = R"sql(
 DROP VIEW IF EXISTS jobs;
 CREATE VIEW jobs AS SELECT
@@ -147,21 +173,33 @@ CREATE VIEW jobs AS SELECT
 constexpr std::string_view jobs_after = R"sql(
   j.particles AS particles, j.steps AS steps, j.wall_s AS wall_s, j.cpu_s AS cpu_s,
   j.energy_error AS energy_error, j.outcome AS outcome, j.initial_area_m2 AS initial_area_m2,
-  j.final_area_m2 AS final_area_m2, j.final_area_error_m2 AS final_area_error_m2,
-  j.collapsibility AS collapsibility, j.collapsibility_error AS collapsibility_error,
+  j.final_area_m2 AS final_area_m2,
+  coalesce((SELECT i.error FROM interval i
+            WHERE i.job_id = j.id AND i.quantity = 'final_area_m2' AND i.study_id = m.study_id),
+           (SELECT i.error FROM interval i WHERE i.job_id = j.id AND i.quantity = 'final_area_m2'
+            ORDER BY i.cells DESC, i.study_id LIMIT 1),
+           j.final_area_error_m2) AS final_area_error_m2,
+  j.collapsibility AS collapsibility,
+  coalesce((SELECT i.error FROM interval i
+            WHERE i.job_id = j.id AND i.quantity = 'collapsibility' AND i.study_id = m.study_id),
+           (SELECT i.error FROM interval i WHERE i.job_id = j.id AND i.quantity = 'collapsibility'
+            ORDER BY i.cells DESC, i.study_id LIMIT 1),
+           j.collapsibility_error) AS collapsibility_error,
   j.physics_version AS physics_version, j.git_revision AS git_revision, j.host AS host,
   j.scene AS scene, j.material AS material, m.position AS position, j.attempt AS attempt,
   j.started_at AS started_at, j.finished_at AS finished_at, j.predicted_s AS predicted_s,
   CAST(j.particles AS REAL) * j.steps / nullif(j.cpu_s, 0) AS particle_updates_per_s
 FROM job j
 JOIN job_parameters p ON p.job_id = j.id
-LEFT JOIN study_job m ON m.job_id = j.id
+LEFT JOIN study_job m ON m.job_id = j.id AND m.coarse = 0
 LEFT JOIN study s ON s.id = m.study_id;
 )sql";
 
 constexpr std::string_view other_views = R"sql(
 DROP VIEW IF EXISTS metrics;
-CREATE VIEW metrics AS SELECT j.key AS key, c.name AS name, c.value AS value, c.unit AS unit, c.error AS error
+CREATE VIEW metrics AS SELECT j.key AS key, c.name AS name, c.value AS value, c.unit AS unit,
+  coalesce((SELECT i.error FROM interval i WHERE i.job_id = j.id AND i.quantity = c.name
+            ORDER BY i.cells DESC, i.study_id LIMIT 1), c.error) AS error
 FROM job j JOIN metric c ON c.job_id = j.id;
 
 DROP VIEW IF EXISTS area_history;
@@ -193,7 +231,42 @@ CREATE VIEW critical_speed AS SELECT s.name AS study, b.wall_thickness_m AS wall
   b.lower_m_s AS lower_m_s, b.upper_m_s AS upper_m_s, b.lower_key AS lower_key, b.upper_key AS upper_key,
   b.cell_size_m AS cell_size_m
 FROM study s JOIN critical_speed_bracket b ON b.study_id = s.id;
+
+DROP VIEW IF EXISTS accuracy;
+CREATE VIEW accuracy AS SELECT s.name AS study, j.key AS key, i.quantity AS quantity, i.value AS value,
+  i.unit AS unit, i.error AS error, i.extrapolated_value AS extrapolated_value,
+  i.extrapolated_error AS extrapolated_error, i.observed_order AS observed_order, i.method AS method, i.cells AS cells,
+  i.discretisation_error AS discretisation_error, i.measuring_error AS measuring_error,
+  i.measuring_difference AS measuring_difference, i.scatter AS scatter,
+  i.wanted_error AS wanted_error, i.extrapolated_error <= i.wanted_error AS reached
+FROM interval i JOIN study s ON s.id = i.study_id JOIN job j ON j.id = i.job_id;
+
 )sql";
+
+/// The view `ladders`: one SELECT for every place that a value stands in, so that a study's own rows are
+/// found without looking at all others.
+std::string ladders_sql() {
+  const auto select = [](const std::string& quantity, const std::string& value, const std::string& unit,
+                         const std::string& error, const std::string& rest) {
+    return "SELECT s.name AS study, a.key AS key, m.position AS position, r.key AS rung_key, "
+           "p.cell_size_m AS cell_size_m, r.status AS status, " +
+           quantity + " AS quantity, " + value + " AS value, " + unit + " AS unit, " + error +
+           " AS measuring_error FROM study s JOIN study_job m ON m.study_id = s.id AND m.coarse = 0 "
+           "JOIN job a ON a.id = m.job_id "
+           "JOIN study_job n ON n.study_id = m.study_id AND n.position = m.position "
+           "JOIN job r ON r.id = n.job_id JOIN job_parameters p ON p.job_id = r.id " +
+           rest;
+  };
+  return "DROP VIEW IF EXISTS ladders;\nCREATE VIEW ladders AS " +
+         select("c.name", "c.value", "c.unit", "c.error", "JOIN metric c ON c.job_id = r.id") +
+         "\nUNION ALL " +
+         select("'collapsibility'", "r.collapsibility", "'1'", "r.collapsibility_error",
+                "WHERE r.collapsibility IS NOT NULL") +
+         "\nUNION ALL " +
+         select("'final_area_m2'", "r.final_area_m2", "'m2'", "r.final_area_error_m2",
+                "WHERE r.final_area_m2 IS NOT NULL") +
+         "\nUNION ALL " + select("NULL", "NULL", "NULL", "NULL", "WHERE r.status <> 'done'") + ";\n";
+}
 
 std::vector<ParameterColumn> parameter_columns() {
   std::vector<ParameterColumn> columns;
@@ -208,13 +281,14 @@ std::vector<ParameterColumn> parameter_columns() {
 
 }  // namespace
 
-CatalogSchema current_catalog_schema() { return {{{1, version_1}}, parameter_columns()}; }
+CatalogSchema current_catalog_schema() { return {{{1, version_1}, {2, version_2}}, parameter_columns()}; }
 
 std::string view_sql(std::span<const std::string> columns) {
   std::string sql(jobs_before);
   for (const auto& column : columns) sql += "  p.\"" + column + "\" AS \"" + column + "\",\n";
   sql += jobs_after;
-  return sql += other_views;
+  sql += other_views;
+  return sql += ladders_sql();
 }
 
 }  // namespace mpmstudy

@@ -59,7 +59,7 @@ struct Store::Impl {
                                "VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'planned')"};
   SQLite::Statement insert_parameters{*db, insert_parameters_sql()};
   SQLite::Statement insert_member{
-      *db, "INSERT OR IGNORE INTO study_job (study_id, job_id, position) VALUES (?, ?, ?)"};
+      *db, "INSERT OR IGNORE INTO study_job (study_id, job_id, position, coarse) VALUES (?, ?, ?, ?)"};
   SQLite::Statement plan_again{
       *db,
       "UPDATE job SET status = 'planned', reason = NULL, runner_id = NULL, started_at = NULL WHERE id = ?"};
@@ -154,6 +154,23 @@ struct Store::Impl {
     return id;
   }
 
+  struct Entered {
+    std::int64_t id = 0;
+    JobStatus status = JobStatus::planned;
+  };
+  /// The job of this key, made if there is none, planned again if it was cancelled or is to be retried.
+  Entered enter_job(const Job& job, bool retry_failed) {
+    const auto row = find(job.key);
+    if (!row) return {add_job(job)};
+    const bool again =
+        row->status == JobStatus::cancelled || (row->status == JobStatus::failed && retry_failed);
+    if (!again) return {row->id, row->status};
+    execute(plan_again, row->id);
+    record(row->id, row->status, JobStatus::planned, row->attempt,
+           row->status == JobStatus::failed ? "retry of a failed job" : "wanted again");
+    return {row->id};
+  }
+
   std::int64_t study_id(const std::string& name) {
     SQLite::Statement select(*db, "SELECT id FROM study WHERE name = ?");
     select.bind(1, name);
@@ -245,18 +262,10 @@ Registration Store::register_study(const std::string& name, const std::string& t
   Registration registration;
   std::int64_t position = 0;
   for (const auto& job : jobs) {
-    const auto row = impl_->find(job.key);
-    const std::int64_t id = row ? row->id : impl_->add_job(job);
-    execute(impl_->insert_member, study, id, position++);
-    const auto status = row ? row->status : JobStatus::planned;
-    const bool again = status == JobStatus::cancelled || (status == JobStatus::failed && retry_failed);
-    if (again) {
-      execute(impl_->plan_again, id);
-      impl_->record(id, status, JobStatus::planned, row->attempt,
-                    status == JobStatus::failed ? "retry of a failed job" : "wanted again");
-    }
-    registration.states.push_back(again ? JobStatus::planned : status);
-    if (again || status == JobStatus::planned) {
+    const auto [id, status] = impl_->enter_job(job, retry_failed);
+    execute(impl_->insert_member, study, id, job.rung_of ? *job.rung_of : position++, job.rung_of ? 1 : 0);
+    registration.states.push_back(status);
+    if (status == JobStatus::planned) {
       registration.to_run.push_back(job.key);
       registration.taken_up += taken_up.contains(id);
     } else if (status == JobStatus::done) {
@@ -269,6 +278,16 @@ Registration Store::register_study(const std::string& name, const std::string& t
   }
   impl_->cancel_unwanted();
   return registration;
+}
+
+JobStatus Store::add_finer(const std::string& study, const Job& rung, bool retry_failed) {
+  const auto id = impl_->study_id(study);
+  const auto [job, status] = impl_->enter_job(rung, retry_failed);
+  SQLite::Statement coarser(*impl_->db,
+                            "UPDATE study_job SET coarse = 1 WHERE study_id = ? AND position = ?");
+  execute(coarser, id, rung.rung_of);
+  execute(impl_->insert_member, id, job, rung.rung_of, 0);
+  return status;
 }
 
 bool Store::claim(const std::string& key) {
@@ -302,6 +321,22 @@ void Store::finish(const FinishedJob& job) {
           r.final_area_error, r.collapsibility, r.collapsibility_error, impl_->options.git_revision,
           impl_->options.process.host, row.id);
   impl_->record(row.id, JobStatus::running, job.status, row.attempt, job.reason);
+}
+
+void Store::replace_intervals(const std::string& study, const std::vector<IntervalRow>& rows) {
+  const auto id = impl_->study_id(study);
+  SQLite::Statement forget(*impl_->db, "DELETE FROM interval WHERE study_id = ?");
+  execute(forget, id);
+  SQLite::Statement insert(
+      *impl_->db,
+      "INSERT INTO interval (study_id, job_id, quantity, unit, value, error, extrapolated_value, "
+      "extrapolated_error, observed_order, method, cells, discretisation_error, measuring_error, "
+      "measuring_difference, scatter, wanted_error) "
+      "SELECT ?, id, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? FROM job WHERE key = ?");
+  for (const auto& r : rows)
+    execute(insert, id, r.quantity, r.unit, r.value, r.error, r.extrapolated_value, r.extrapolated_error,
+            r.observed_order, r.method, r.cells, r.discretisation_error, r.measuring_error,
+            r.measuring_difference, r.scatter, r.wanted_error, r.key);
 }
 
 void Store::replace_fits(const std::string& study, const std::vector<FitRow>& fits) {

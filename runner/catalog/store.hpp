@@ -38,6 +38,10 @@ class Store {
   Registration register_study(const std::string& name, const std::string& title, const std::vector<Job>&,
                               bool retry_failed);
 
+  /// Enters a finer cell under the job at the position `rung.rung_of` of a study, in whose place it becomes
+  /// the study's own. Gives back its status; planned: to run.
+  JobStatus add_finer(const std::string& study, const Job& rung, bool retry_failed);
+
   /// planned -> running, by this process. False if the job is not planned (any longer).
   bool claim(const std::string& key);
   /// running -> planned. Throws CatalogError if this process does not run it.
@@ -45,6 +49,7 @@ class Store {
   /// running -> done or failed, with everything that belongs to it. Throws CatalogError as release does.
   void finish(const FinishedJob&);
 
+  void replace_intervals(const std::string& study, const std::vector<IntervalRow>&);
   void replace_fits(const std::string& study, const std::vector<FitRow>&);
   void replace_critical_speeds(const std::string& study, const std::vector<CriticalSpeedRow>&);
 

@@ -197,6 +197,14 @@ void CatalogWriter::flush() {
   if (impl_->broken) std::rethrow_exception(impl_->broken);
 }
 
+JobStatus CatalogWriter::add_finer(const std::string& study, const Job& rung, bool retry_failed) {
+  return impl_->ask([=](Store& s) { return s.add_finer(study, rung, retry_failed); });
+}
+
+void CatalogWriter::replace_intervals(const std::string& study, std::vector<IntervalRow> rows) {
+  impl_->ask([study, rows = std::move(rows)](Store& s) { s.replace_intervals(study, rows); });
+}
+
 void CatalogWriter::replace_fits(const std::string& study, std::vector<FitRow> rows) {
   impl_->ask([study, rows = std::move(rows)](Store& s) { s.replace_fits(study, rows); });
 }

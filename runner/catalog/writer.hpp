@@ -37,6 +37,11 @@ class CatalogWriter : public Ledger {
   void release(const std::string& key, const std::string& reason) override;
   void flush() override;
 
+  /// One more cell under the job at `rung.rung_of` of a registered study, finer than those it has: from now
+  /// on the study's own job there. Gives back what it is; planned: to run.
+  JobStatus add_finer(const std::string& study, const Job& rung, bool retry_failed);
+  /// Intervals of a registered study, instead of those it had.
+  void replace_intervals(const std::string& study, std::vector<IntervalRow>);
   /// Fits of a registered study, instead of those it had.
   void replace_fits(const std::string& study, std::vector<FitRow>);
   /// Brackets of a registered study, instead of those it had.

@@ -32,6 +32,8 @@ constexpr Exported views[] = {
     {"fits", true, "study, quantity, against, model, coefficient"},
     {"critical_speed", true, "study, wall_thickness_m, cell_size_m"},
     {"snapshots", false, "key, path"},
+    {"accuracy", true, "study, key, quantity"},
+    {"ladders", true, "study, position, key, cell_size_m, quantity"},
 };
 
 std::string sql_of(const Exported& exported, bool one_study) {
@@ -63,9 +65,9 @@ void setup_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App& verb = *app.add_subcommand("export", "Write views of the catalog as CSV or JSON");
   verb.add_option("--what", options->what,
-                  "jobs, metrics, area_history, fits, critical_speed, snapshots or all")
-      ->check(
-          CLI::IsMember({"jobs", "metrics", "area_history", "fits", "critical_speed", "snapshots", "all"}))
+                  "jobs, metrics, area_history, fits, critical_speed, snapshots, accuracy, ladders or all")
+      ->check(CLI::IsMember({"jobs", "metrics", "area_history", "fits", "critical_speed", "snapshots",
+                             "accuracy", "ladders", "all"}))
       ->capture_default_str();
   verb.add_option("--study", options->study, "Rows of this study only")->type_name("NAME");
   verb.add_option("--format", options->format, "csv or json")

@@ -11,6 +11,7 @@
 #include "runner/catalog/reader.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
+#include "runner/study/ladder.hpp"
 #include "runner/study/readable.hpp"
 
 namespace mpmstudy {
@@ -87,6 +88,42 @@ void print_defaults(const Study& study, const Plan& plan) {
   }
 }
 
+/// One line a rung over all ladders: how many jobs, how large, what they cost.
+void print_ladder(const Plan& plan) {
+  if (plan.ladders.empty()) return;
+  if (plan.ladder.accuracy)
+    fmt::print(
+        "\nAccuracy {:g} % of {}: every job starts with the first {} of these cells and gets finer ones "
+        "until its "
+        "interval is inside, {} at most\n",
+        100 * *plan.ladder.accuracy, plan.ladder.quantity, first_cells, plan.ladder.cells);
+  else
+    fmt::print("\nEvery job runs with {} cells, for intervals; the table has the finest\n",
+               plan.ladder.cells);
+  std::vector<std::vector<std::string>> rows = {
+      {"rung", "cell_size", "jobs", "particles", "steps", "predicted"}};
+  for (int k = 0; k < plan.ladder.cells; ++k) {
+    const auto rung = static_cast<std::size_t>(k);
+    double finest = plan.ladders[0][rung].scene.numerics.cell_size, coarsest = finest, seconds = 0;
+    std::int64_t particles = 0, steps = 0;
+    for (const auto& ladder : plan.ladders) {
+      const Job& job = ladder[rung];
+      finest = std::min(finest, job.scene.numerics.cell_size);
+      coarsest = std::max(coarsest, job.scene.numerics.cell_size);
+      particles = std::max(particles, job.estimate.particles);
+      steps = std::max(steps, job.estimate.steps);
+      seconds += job.predicted_seconds;
+    }
+    const std::string cells = readable(coarsest, "m");
+    rows.push_back(
+        {fmt::format("{}{}", k + 1, plan.ladder.accuracy && k >= first_cells ? " (if needed)" : ""),
+         finest == coarsest ? cells : readable(finest, "m") + " ... " + cells,
+         std::to_string(plan.ladders.size()), std::to_string(particles), std::to_string(steps),
+         duration(seconds)});
+  }
+  print_table(rows);
+}
+
 void print_text(const Study& study, const Plan& plan, const Speed& speed, int workers) {
   std::vector<std::vector<std::string>> rows = {{"job"}};
   rows[0].insert(rows[0].end(), study.swept.begin(), study.swept.end());
@@ -102,11 +139,19 @@ void print_text(const Study& study, const Plan& plan, const Speed& speed, int wo
   fmt::print("{}: {} ({})\n\n", study.name, study.title, mpm::to_string(study.kind));
   print_table(rows);
   const std::size_t same = study.scenes.size() - plan.jobs.size();
-  fmt::print("\n{} job{}{}, {} of CPU, {} on -j {} (at {:.3g} particle updates a second and core, {})\n",
+  print_ladder(plan);
+  const auto first = first_jobs(plan), all = all_jobs(plan);
+  const std::string coarser = first.size() == plan.jobs.size()
+                                  ? ""
+                                  : fmt::format(" and {} at coarser cells", first.size() - plan.jobs.size());
+  fmt::print("\n{} job{}{}{}, {} of CPU, {} on -j {} (at {:.3g} particle updates a second and core, {})\n",
              plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s",
-             same == 0 ? "" : fmt::format(" ({} more are the same as one of these)", same),
-             duration(cpu_seconds(plan)), duration(wall_seconds(plan, workers)), workers,
+             same == 0 ? "" : fmt::format(" ({} more are the same as one of these)", same), coarser,
+             duration(cpu_seconds(first)), duration(wall_seconds(first, workers)), workers,
              speed.updates_per_second, speed.source());
+  if (all.size() > first.size())
+    fmt::print("At most, if no ladder ends early: {} jobs, {} of CPU, {} on -j {}\n", all.size(),
+               duration(cpu_seconds(all)), duration(wall_seconds(all, workers)), workers);
   if (study.search)
     fmt::print("Search for the smallest {} with outcome {}: the jobs above are its first, at the lower end\n",
                study.search->critical, study.search->outcome);
@@ -114,28 +159,37 @@ void print_text(const Study& study, const Plan& plan, const Speed& speed, int wo
 }
 
 Json to_json(const Study& study, const Plan& plan, const Speed& speed, int workers) {
-  Json jobs = Json::array();
-  for (const Job& job : plan.jobs) {
+  const auto one = [&](const Job& job) {
     Json parameters;
     for (const mpm::Quantity& row : mpm::quantities())
       if (row.belongs_to(study.kind)) parameters[std::string(row.column)] = row.get(job.scene);
     for (const mpm::Choice& row : mpm::choices())
       if (row.belongs_to(study.kind)) parameters[std::string(row.column)] = row.allowed[row.get(job.scene)];
     parameters["snapshots_s"] = job.scene.measures.snapshots;
-    jobs.push_back({{"key", job.key},
-                    {"parameters", std::move(parameters)},
-                    {"particles", job.estimate.particles},
-                    {"steps", job.estimate.steps},
-                    {"predicted_seconds", job.predicted_seconds}});
+    return Json{{"key", job.key},
+                {"parameters", std::move(parameters)},
+                {"particles", job.estimate.particles},
+                {"steps", job.estimate.steps},
+                {"predicted_seconds", job.predicted_seconds}};
+  };
+  Json jobs = Json::array(), ladders = Json::array();
+  for (const Job& job : plan.jobs) jobs.push_back(one(job));
+  for (const auto& ladder : plan.ladders) {
+    Json rungs = Json::array();
+    for (const Job& rung : ladder) rungs.push_back(one(rung));
+    ladders.push_back(std::move(rungs));
   }
+  const auto first = first_jobs(plan);
   return {{"study", study.name},
           {"title", study.title},
           {"scene", mpm::to_string(study.kind)},
           {"swept", study.swept},
           {"jobs", std::move(jobs)},
-          {"cpu_seconds", cpu_seconds(plan)},
+          {"ladders", std::move(ladders)},
+          {"cpu_seconds", cpu_seconds(first)},
+          {"most_cpu_seconds", cpu_seconds(all_jobs(plan))},
           {"workers", workers},
-          {"wall_seconds", wall_seconds(plan, workers)},
+          {"wall_seconds", wall_seconds(first, workers)},
           {"updates_per_second", speed.updates_per_second},
           {"updates_per_second_measured", speed.measured}};
 }

@@ -25,12 +25,16 @@
 namespace mpmstudy {
 namespace {
 
-/// Names that any of the studies sweeps, in the order in which they occur.
+/// Names of what jobs differ in: what any of the studies sweeps, in the order in which they occur, and the
+/// cell where one has a ladder of them.
 std::vector<std::string> swept_names(const std::vector<Study>& studies) {
   std::vector<std::string> names;
-  for (const auto& study : studies)
-    for (const auto& name : study.swept)
-      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const auto& study : studies) std::ranges::for_each(study.swept, add);
+  if (std::ranges::any_of(studies, [](const Study& study) { return study.ladder.cells > 1; }))
+    add("cell_size");
   return names;
 }
 
@@ -61,26 +65,26 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
   if (std::filesystem::exists(catalog_path(options.results)))
     for (const auto& row : query(options.results, "SELECT DISTINCT key, status FROM jobs").rows)
       known[std::get<std::string>(row[0])] = std::get<std::string>(row[1]);
-  std::vector<const Job*> jobs;
+  std::vector<Job> jobs;
   std::map<std::string, std::int64_t> kept;
   std::set<std::string> seen;
   double seconds = 0;
   for (const auto& study : planned)
-    for (const auto& job : study.plan.jobs) {
+    for (const auto& job : first_jobs(study.plan)) {
       if (!seen.insert(job.key).second) continue;
       const auto status = known.contains(job.key) ? known[job.key] : "planned";
       if (status == "done" || (status == "failed" && !options.retry_failed)) {
         ++kept[status];
         continue;
       }
-      jobs.push_back(&job);
+      jobs.push_back(job);
       seconds += job.predicted_seconds;
     }
   std::ranges::stable_sort(jobs, std::ranges::greater{}, &Job::predicted_seconds);
   const auto swept = swept_names(studies);
-  for (const auto* job : jobs)
-    fmt::print("{}  {} particles, {} steps, {}  {}\n", short_key(job->key), job->estimate.particles,
-               job->estimate.steps, readable_duration(job->predicted_seconds), label_of(job->scene, swept));
+  for (const auto& job : jobs)
+    fmt::print("{}  {} particles, {} steps, {}  {}\n", short_key(job.key), job.estimate.particles,
+               job.estimate.steps, readable_duration(job.predicted_seconds), label_of(job.scene, swept));
   fmt::print("{} would run, about {} of one core; {} done, {} failed and would be left\n",
              counted(static_cast<std::int64_t>(jobs.size()), "job"), readable_duration(seconds), kept["done"],
              kept["failed"]);

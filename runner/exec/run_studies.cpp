@@ -1,10 +1,12 @@
 #include "runner/exec/run_studies.hpp"
 
 #include <csignal>
+#include <functional>
 #include <thread>
 #include <unordered_set>
 
 #include "runner/catalog/connection.hpp"
+#include "runner/ladder/climbs.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -15,7 +17,7 @@ std::vector<Job> register_all(std::span<const PlannedStudy> studies, bool retry_
   std::vector<Job> to_run;
   std::unordered_set<std::string> seen;
   for (const auto& study : studies) {
-    const auto& jobs = study.plan.jobs;
+    const auto jobs = first_jobs(study.plan);
     const auto registered = writer.register_study(study.plan.study, study.title, jobs, retry_failed);
     start.taken_up += registered.taken_up;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -37,6 +39,35 @@ std::vector<Job> register_all(std::span<const PlannedStudy> studies, bool retry_
     }
   }
   return to_run;
+}
+
+ExecutorReport sum_of(ExecutorReport sum, const ExecutorReport& more) {
+  sum.done += more.done;
+  sum.failed += more.failed;
+  sum.stopped += more.stopped;
+  sum.untouched += more.untouched;
+  sum.elsewhere += more.elsewhere;
+  sum.updates += more.updates;
+  sum.cpu_s += more.cpu_s;
+  if (sum.storage_error.empty()) sum.storage_error = more.storage_error;
+  return sum;
+}
+
+/// Finer cells under the jobs that an accuracy was asked of, a round of all ladders at a time.
+void climb_ladders(std::span<const PlannedStudy> studies, bool retry_failed, CatalogWriter& writer,
+                   Status& status, RunReport& report,
+                   const std::function<ExecutorReport(std::vector<Job>)>& execute,
+                   const std::filesystem::path& results) {
+  Climbs climbs(writer, results, retry_failed);
+  for (const auto& study : studies) climbs.add(study.plan);
+  while (report.left() == 0) {
+    auto jobs = climbs.next();
+    if (jobs.empty()) break;
+    status.jobs_added(static_cast<std::int64_t>(jobs.size()), cpu_seconds(jobs));
+    report.executed = sum_of(report.executed, execute(std::move(jobs)));
+  }
+  report.reused += climbs.reused();
+  report.left_failed += climbs.left_failed();
 }
 
 std::string stop_reason(const RunReport& report) {
@@ -67,7 +98,11 @@ RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, 
   start.workers = worker_count(options, jobs.size());
   status.run_started(start);
 
-  report.executed = execute_jobs(std::move(jobs), simulate, write, writer, status, flag, options);
+  const auto execute = [&](std::vector<Job> some) {
+    return execute_jobs(std::move(some), simulate, write, writer, status, flag, options);
+  };
+  report.executed = execute(std::move(jobs));
+  climb_ladders(studies, retry_failed, writer, status, report, execute, options.results);
   report.signal = flag.signal();
 
   RunEnd end;

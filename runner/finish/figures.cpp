@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/calibration_plot.hpp"
 #include "analysis/field_plot.hpp"
 #include "analysis/plot.hpp"
 #include "libmpm/io/vtkhdf.hpp"
 #include "libmpm/scene/parameters.hpp"
+#include "runner/finish/calibration.hpp"
 #include "runner/finish/fits.hpp"
 
 namespace mpmstudy {
@@ -118,19 +120,30 @@ std::vector<fs::path> draw_fields(const Study& study, const StudyResults& result
   return stems;
 }
 
+bool draw_calibration(const Study& study, const StudyResults& results, const FigureRequest& request,
+                      const fs::path& stem) {
+  const auto points = calibration_of(study, results, request.y);
+  if (points.empty()) return false;
+  analysis::draw({request.title, footer_of(results), points}, stem);
+  return true;
+}
+
 }  // namespace
 
 std::vector<fs::path> draw_figures(const Study& study, const StudyResults& results) {
   std::vector<fs::path> stems;
   for (const FigureRequest& request : study.figures) {
     const fs::path stem = results.folder / "figures" / request.name;
-    if (request.kind == "fields") {
-      for (fs::path& drawn : draw_fields(study, results, request, stem)) stems.push_back(std::move(drawn));
-    } else {
-      const bool drawn = request.kind == "history" ? draw_history(study, results, request, stem)
-                                                   : draw_xy(study, results, request, stem);
-      if (drawn) stems.push_back(stem);
-    }
+    bool drawn = false;
+    if (request.kind == "fields")
+      for (fs::path& one : draw_fields(study, results, request, stem)) stems.push_back(std::move(one));
+    else if (request.kind == "history")
+      drawn = draw_history(study, results, request, stem);
+    else if (request.kind == "calibration")
+      drawn = draw_calibration(study, results, request, stem);
+    else
+      drawn = draw_xy(study, results, request, stem);
+    if (drawn) stems.push_back(stem);
   }
   for (fs::path& stem : stems) stem += ".png";
   return stems;

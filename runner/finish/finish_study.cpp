@@ -2,18 +2,54 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
+#include "runner/catalog/query.hpp"
 #include "runner/finish/figures.hpp"
 #include "runner/finish/fits.hpp"
+#include "runner/ladder/intervals.hpp"
+#include "runner/status/label.hpp"
 
 namespace mpmstudy {
 
+/// In a message; the others are counted.
+constexpr std::size_t most_named = 5;
+
+namespace {
+
+/// An accuracy that was missed is no success: throws what the run then says last.
+void check_accuracy(const Study& study, const std::filesystem::path& folder) {
+  const SqlValue parameters[] = {study.name, study.ladder.quantity};
+  const Rows rows =
+      query(folder,
+            "SELECT j.key, a.reached FROM jobs j LEFT JOIN accuracy a ON a.key = j.key AND a.study "
+            "= j.study AND a.quantity = ?2 WHERE j.study = ?1 ORDER BY j.position",
+            parameters);
+  std::string missed;
+  std::size_t count = 0;
+  for (const auto& row : rows.rows) {
+    if (const auto* reached = std::get_if<std::int64_t>(&row[1]); reached && *reached == 1) continue;
+    if (++count <= most_named) missed += " " + short_key(std::get<std::string>(row[0]));
+  }
+  if (count == 0) return;
+  throw std::runtime_error(fmt::format(
+      "accuracy {:g} % of {} not reached by {} of {} jobs with up to {} cells:{}{}; view accuracy "
+      "has what was reached, a larger ladder or accuracy goes on from there",
+      100 * *study.ladder.accuracy, study.ladder.quantity, count, rows.rows.size(), study.ladder.cells,
+      missed, count > most_named ? " ..." : ""));
+}
+
+}  // namespace
+
 void finish_study(const Study& study, const std::filesystem::path& folder, CatalogWriter& writer) {
+  writer.replace_intervals(study.name, intervals_of(study, folder));
   const StudyResults results = read_results(study, folder);
   Fits fits = fit_study(study, results);
   for (const std::string& problem : fits.problems)
     fmt::print(stderr, "{}: no fit, {}\n", study.name, problem);
   writer.replace_fits(study.name, std::move(fits.rows));
   for (const auto& path : draw_figures(study, results)) fmt::print("{}\n", path.string());
+  if (study.ladder.accuracy) check_accuracy(study, folder);
 }
 
 }  // namespace mpmstudy

@@ -45,22 +45,28 @@ std::string label_of(const std::string& name, const mpm::Scene& scene) {
 }  // namespace
 
 StudyResults read_results(const Study& study, const std::filesystem::path& folder) {
-  StudyResults results{folder, {}, 0, {}};
+  StudyResults results{study.name, folder, {}, 0, {}};
   std::set<std::string> done;
   std::string drawn;
   const SqlValue name = study.name;
   const Rows rows = query(folder,
-                          "SELECT DISTINCT key, energy_error, final_area_m2 FROM jobs "
+                          "SELECT DISTINCT key, energy_error, final_area_m2, final_area_error_m2 FROM jobs "
                           "WHERE study = ?1 AND status = 'done' ORDER BY key",
                           std::span(&name, 1));
   for (const auto& row : rows.rows) done.insert(std::get<std::string>(row[0]));
   for (const mpm::Scene& scene : study.scenes) {
-    const std::string key = job_key(scene);
+    // With an accuracy it is the finest cell that the ladder has reached.
+    const LadderScenes ladder = ladder_scenes(scene, study.ladder);
+    auto rung = ladder.scenes.size();
+    std::string key;
+    do {
+      key = job_key(ladder.scenes[--rung]);
+    } while (!done.contains(key) && rung > ladder.first_answer);
     if (!done.contains(key)) {
       ++results.missing;
       continue;
     }
-    results.done.push_back({key, scene});
+    results.done.push_back({key, ladder.scenes[rung]});
     drawn += key;
   }
   for (const auto& row : rows.rows)
@@ -77,7 +83,10 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
     std::string error = "NULL";
     for (const auto& [column, error_column] : job_errors)
       if (name == column) error = error_column;
-    rows = ask(results, fmt::format("SELECT {}, {} FROM jobs WHERE key = ?1 LIMIT 1", name, error), job.key);
+    const SqlValue parameters[] = {job.key, results.study};
+    rows =
+        query(results.folder,
+              fmt::format("SELECT {}, {} FROM jobs WHERE key = ?1 AND study = ?2", name, error), parameters);
   } else {
     rows = ask(results, fmt::format("SELECT value, error FROM metrics WHERE key = ?1 AND name = '{}'", name),
                job.key);

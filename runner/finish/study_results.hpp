@@ -24,6 +24,7 @@ struct JobResults {
 
 /// The done jobs of a study, in the order of its sweep, and how many are not done.
 struct StudyResults {
+  std::string study;             ///< its name
   std::filesystem::path folder;  ///< the results folder
   std::vector<JobResults> done;
   std::size_t missing = 0;

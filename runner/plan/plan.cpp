@@ -5,31 +5,102 @@
 #include <queue>
 #include <unordered_set>
 
+#include "runner/study/ladder.hpp"
+
 namespace mpmstudy {
+namespace {
+
+Job make_job(const mpm::Scene& scene, double updates_per_second) {
+  const mpm::Estimate estimate = mpm::estimate(scene);
+  const double updates = static_cast<double>(estimate.particles) * static_cast<double>(estimate.steps);
+  return {job_key(scene), scene, estimate, updates / updates_per_second};
+}
+
+/// The rungs of one scene, coarse to fine.
+std::vector<Job> make_ladder(const mpm::Scene& scene, const LadderRequest& request, std::int64_t position,
+                             double updates_per_second) {
+  const LadderScenes ladder = ladder_scenes(scene, request);
+  std::vector<Job> rungs;
+  for (const mpm::Scene& rung : ladder.scenes) rungs.push_back(make_job(rung, updates_per_second));
+  for (std::size_t k = 0; k < ladder.first_answer; ++k) rungs[k].rung_of = position;
+  return rungs;
+}
+
+/// Adds what is not there yet.
+class UniqueJobs {
+ public:
+  void add(const Job& job) {
+    if (known_.insert(job.key).second) jobs.push_back(job);
+  }
+  std::vector<Job> jobs;
+
+ private:
+  std::unordered_set<std::string> known_;
+};
+
+}  // namespace
+
+LadderScenes ladder_scenes(const mpm::Scene& scene, const LadderRequest& request) {
+  LadderScenes ladder;
+  const int first_answer = request.accuracy ? first_cells - 1 : request.cells - 1;
+  for (int k = 0; k < request.cells; ++k) {
+    mpm::Scene rung = scene;
+    rung.numerics.cell_size =
+        finer_cell(scene.numerics.cell_size, request.finds_cell ? k : k + 1 - request.cells);
+    if (k < first_answer) rung.measures.snapshots.clear();
+    ladder.scenes.push_back(std::move(rung));
+  }
+  ladder.first_answer = static_cast<std::size_t>(first_answer);
+  return ladder;
+}
 
 Plan make_plan(const Study& study, double updates_per_second) {
   Plan plan;
   plan.study = study.name;
+  plan.ladder = study.ladder;
   std::unordered_set<std::string> known;
   for (const mpm::Scene& scene : study.scenes) {
-    std::string key = job_key(scene);
-    if (!known.insert(key).second) continue;
-    const mpm::Estimate estimate = mpm::estimate(scene);
-    const double updates = static_cast<double>(estimate.particles) * static_cast<double>(estimate.steps);
-    plan.jobs.push_back({std::move(key), scene, estimate, updates / updates_per_second});
+    if (study.ladder.cells == 1) {  // at the cell that is given or found
+      Job job = make_job(scene, updates_per_second);
+      if (known.insert(job.key).second) plan.jobs.push_back(std::move(job));
+      continue;
+    }
+    auto rungs =
+        make_ladder(scene, study.ladder, static_cast<std::int64_t>(plan.jobs.size()), updates_per_second);
+    const Job& answer = study.ladder.accuracy ? rungs[first_cells - 1] : rungs.back();
+    if (!known.insert(answer.key).second) continue;
+    plan.jobs.push_back(answer);
+    plan.ladders.push_back(std::move(rungs));
   }
   return plan;
 }
 
-double cpu_seconds(const Plan& plan) {
+std::vector<Job> first_jobs(const Plan& plan) {
+  UniqueJobs unique;
+  for (const Job& job : plan.jobs) unique.add(job);
+  for (const auto& rungs : plan.ladders)
+    for (const Job& rung : rungs)
+      if (rung.rung_of) unique.add(rung);
+  return std::move(unique.jobs);
+}
+
+std::vector<Job> all_jobs(const Plan& plan) {
+  UniqueJobs unique;
+  for (const Job& job : first_jobs(plan)) unique.add(job);
+  for (const auto& rungs : plan.ladders)
+    for (const Job& rung : rungs) unique.add(rung);
+  return std::move(unique.jobs);
+}
+
+double cpu_seconds(const std::vector<Job>& jobs) {
   double sum = 0;
-  for (const Job& job : plan.jobs) sum += job.predicted_seconds;
+  for (const Job& job : jobs) sum += job.predicted_seconds;
   return sum;
 }
 
-double wall_seconds(const Plan& plan, int workers) {
+double wall_seconds(const std::vector<Job>& jobs, int workers) {
   std::vector<double> costs;
-  for (const Job& job : plan.jobs) costs.push_back(job.predicted_seconds);
+  for (const Job& job : jobs) costs.push_back(job.predicted_seconds);
   std::sort(costs.begin(), costs.end(), std::greater<>());
   std::priority_queue<double, std::vector<double>, std::greater<>> free_at;
   for (int worker = 0; worker < std::max(workers, 1); ++worker) free_at.push(0);

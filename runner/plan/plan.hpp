@@ -1,5 +1,7 @@
 #pragma once
 /// What a study wants: jobs with their keys and costs. Pure: no clock, no disk.
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +22,18 @@ struct Job {
   mpm::Scene scene;
   mpm::Estimate estimate;
   double predicted_seconds = 0;  ///< on one core of this machine
+  /// The position in its study of the job that this one is a coarser cell of; no number: it is a job of the
+  /// study itself.
+  std::optional<std::int64_t> rung_of = {};
 };
 
 struct Plan {
   std::string study;
   std::vector<Job> jobs;  ///< order of the sweep, equal keys only once
+  /// Of every job, if the study asks for more than one cell: its rungs, coarse to fine. Without an accuracy
+  /// the job is the last of them; with one it is the last that is always run, and finer ones may follow.
+  std::vector<std::vector<Job>> ladders;
+  LadderRequest ladder;
 };
 
 /// What one core is taken to do until the catalog has seen jobs of this host [particle updates/s].
@@ -33,10 +42,23 @@ inline constexpr double assumed_updates_per_second = 5e6;
 /// updates_per_second: particle updates a second and core that the prediction assumes.
 Plan make_plan(const Study&, double updates_per_second = assumed_updates_per_second);
 
-/// Sum of the predictions [s].
-double cpu_seconds(const Plan&);
+/// The scenes of a ladder, coarse to fine; those from `first_answer` on can be a job of the study itself, and
+/// only they keep their snapshots.
+struct LadderScenes {
+  std::vector<mpm::Scene> scenes;
+  std::size_t first_answer = 0;
+};
+LadderScenes ladder_scenes(const mpm::Scene&, const LadderRequest&);
 
-/// The predicted time of all jobs on `workers` threads, the longest job first [s].
-double wall_seconds(const Plan&, int workers);
+/// What runs in any case: the jobs of the study, then the coarser cells under them; every key once.
+std::vector<Job> first_jobs(const Plan&);
+/// All that may run: beside those, the finer cells that an accuracy may ask for. Every key once.
+std::vector<Job> all_jobs(const Plan&);
+
+/// Sum of the predictions [s].
+double cpu_seconds(const std::vector<Job>&);
+
+/// The predicted time of jobs on `workers` threads, the longest job first [s].
+double wall_seconds(const std::vector<Job>&, int workers);
 
 }  // namespace mpmstudy

@@ -12,6 +12,7 @@ class Eta {
   /// predicted: of all jobs together, in any unit (seconds); workers share it.
   Eta(double predicted, unsigned workers);
 
+  void add(double predicted) { total_ += predicted; }                        ///< more jobs
   void progress(const std::string& key, double predicted, double fraction);  ///< of a running job, 0 ... 1
   void finished(const std::string& key, double predicted);
   void stopped(const std::string& key);

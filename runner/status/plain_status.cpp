@@ -25,6 +25,12 @@ class PlainStatus : public Status {
     if (!options_.quiet) out_ << start_text(start) << std::flush;
   }
 
+  void jobs_added(std::int64_t jobs, double predicted_seconds) override {
+    std::lock_guard lock(mutex_);
+    jobs_ += jobs;
+    eta_.add(predicted_seconds);
+  }
+
   void job_started(const Job& job) override {
     std::lock_guard lock(mutex_);
     last_[job.key] = clock_();

@@ -44,6 +44,8 @@ class Status {
  public:
   virtual ~Status() = default;
   virtual void run_started(const RunStart&) {}
+  /// Results have asked for more jobs: counted and predicted as run_started's.
+  virtual void jobs_added(std::int64_t /*jobs*/, double /*predicted_seconds*/) {}
   virtual void job_started(const Job&) {}
   virtual void job_progress(const Job&, const mpm::Progress&) {}
   virtual void job_finished(const Job&, const JobEnd&) {}

@@ -35,6 +35,12 @@ class TerminalStatus : public Status {
     out_ << start_text(start) << std::flush;
   }
 
+  void jobs_added(std::int64_t jobs, double predicted_seconds) override {
+    std::lock_guard lock(mutex_);
+    jobs_ += jobs;
+    eta_.add(predicted_seconds);
+  }
+
   void job_started(const Job& job) override {
     std::lock_guard lock(mutex_);
     running_.push_back({job.key, label_of(job.scene, options_.swept), {}});

@@ -62,6 +62,14 @@ void apply_overrides(Table& document, const std::vector<std::pair<std::string, s
     if (!table) continue;  // said where tables are read
     if (const mpm::Quantity* row = mpm::find_quantity(name); row && !row->alternative.empty())
       std::erase_if(table->entries, [&](const Entry& entry) { return entry.key == row->alternative; });
+    // A cell is given, or looked for; what the file says of the other, and of its ladder, was not meant for
+    // it.
+    if (name == "accuracy" || name == "cell_size")
+      std::erase_if(table->entries, [&](const Entry& entry) {
+        return entry.place.line > 0 &&
+               (name == "accuracy" ? entry.key == "cell_size" || entry.key == "ladder"
+                                   : entry.key == "accuracy" || entry.key == "accuracy_of");
+      });
     if (Entry* entry = table->find(name))
       *entry = {entry->key, value.place, value};
     else

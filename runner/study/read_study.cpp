@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "runner/study/combine.hpp"
+#include "runner/study/ladder.hpp"
 #include "runner/study/overrides.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/requests.hpp"
@@ -26,6 +27,7 @@ class Reader {
     read_material();
     read_parameters();
     read_snapshots();
+    read_ladder_of_cells();
     read_requests();
     check_complete();
     const auto sweep = read_sweep(table("sweep"), problems_);
@@ -115,12 +117,6 @@ class Reader {
   }
 
   void read_row(std::string_view table, const Entry& entry) {
-    if (entry.key == "accuracy" && table == "numerics") {
-      problems_.add(entry.place, entry.key, entry.value.written(),
-                    {"choosing the cell by an accuracy is not supported yet", "give cell_size = \"0.1 um\""});
-      said_.emplace_back("cell_size");  // one complaint is enough
-      return;
-    }
     std::optional<Axis> axis;
     if (const mpm::Quantity* row = mpm::find_quantity(entry.key); row && table_name(row->section) == table) {
       said_.push_back(entry.key);
@@ -156,8 +152,17 @@ class Reader {
     }
   }
 
+  void read_ladder_of_cells() {
+    study_.ladder = read_ladder(table("numerics"), kind_, units_, problems_);
+    if (study_.ladder.finds_cell) said_.emplace_back("cell_size");
+    request_.ladder = study_.ladder;
+    const Table* numerics = table("numerics");
+    for (const char* key : {"ladder", "accuracy"})
+      if (const Entry* entry = numerics ? numerics->find(key) : nullptr) request_.ladder_place = entry->place;
+  }
+
   void read_requests() {
-    const RequestContext context{kind_, fixed_};
+    const RequestContext context{kind_, fixed_, study_.ladder.cells};
     study_.fits = read_fits(document_, context, problems_);
     study_.figures = read_figures(document_, context, problems_);
     study_.search = read_search(document_, kind_, units_, problems_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "runner/study/ladder.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/schema.hpp"
 
@@ -10,7 +11,9 @@ namespace mpmstudy {
 namespace {
 
 constexpr std::array<std::string_view, 2> models = {"linear", "quadratic"};
-constexpr std::array<std::string_view, 3> figure_kinds = {"history", "xy", "fields"};
+constexpr std::array<std::string_view, 4> figure_kinds = {"history", "xy", "fields", "calibration"};
+/// The first ones give an interval, and finer ones what it is held against.
+constexpr int cells_of_calibration = first_cells + 1;
 constexpr std::array<std::string_view, 3> expected_outcomes = {"holds", "breaks", "refused"};
 constexpr std::array<std::string_view, 4> outcomes = {"collapsed", "partial", "ejected", "arrested"};
 
@@ -35,6 +38,9 @@ constexpr std::string_view results[] = {"collapsibility",
                                         "lower_upper_area_ratio",
                                         "centroid_shift_m",
                                         "final_void_area_m2",
+                                        "final_area_scatter_m2",
+                                        "final_area_difference_m2",
+                                        "largest_collapsibility",
                                         "cavity_closed_time_s",
                                         "cavity_joined_outside_time_s",
                                         "contour_crossed_time_s",
@@ -62,6 +68,22 @@ constexpr std::string_view fields[] = {"velocity_x",   "velocity_y",
                                        "von_mises",    "equivalent_plastic_strain",
                                        "plastic_work", "specific_internal_energy",
                                        "temperature"};
+
+/// Of these, what a run was given, what it cost, extremes of its health, and what is an error itself.
+constexpr std::string_view without_interval[] = {"initial_area_m2",
+                                                 "particles",
+                                                 "steps",
+                                                 "wall_s",
+                                                 "cpu_s",
+                                                 "energy_error",
+                                                 "momentum_error",
+                                                 "overpressed_mass_fraction",
+                                                 "smallest_density_ratio",
+                                                 "largest_density_ratio",
+                                                 "largest_cfl",
+                                                 "plateau_noise",
+                                                 "final_area_scatter_m2",
+                                                 "final_area_difference_m2"};
 
 std::span<const std::string_view> all_results() { return results; }
 std::span<const std::string_view> all_fields() { return fields; }
@@ -146,6 +168,20 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
 
 }  // namespace
 
+bool has_interval(std::string_view result) {
+  const auto among = [&](const auto& names) {
+    return std::find(std::begin(names), std::end(names), result) != std::end(names);
+  };
+  return among(results) && !among(without_interval);
+}
+
+std::vector<std::string_view> results_with_interval() {
+  std::vector<std::string_view> names;
+  for (const std::string_view name : results)
+    if (has_interval(name)) names.push_back(name);
+  return names;
+}
+
 bool is_file_name(std::string_view name) {
   const auto plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
@@ -209,6 +245,12 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
     } else if (figure.kind == "fields") {
       refuse("x");
       figure.y = read_word(entry, table, "y", "field", all_fields(), problems);
+    } else if (figure.kind == "calibration") {
+      refuse("x");
+      figure.y = read_word(entry, table, "y", "result", results_with_interval(), problems);
+      if (context.cells < cells_of_calibration)
+        problems.add("kind", table.find("kind")->value,
+                     {"needs a ladder of five cells or more", "write ladder = 5 in [numerics]"});
     } else if (figure.kind == "history") {
       refuse("x");
       refuse("y");

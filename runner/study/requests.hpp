@@ -16,6 +16,7 @@ namespace mpmstudy {
 struct RequestContext {
   std::optional<mpm::SceneKind> kind;
   std::vector<std::string> fixed;
+  int cells = 1;  ///< of the study's ladders
 };
 
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);
@@ -24,6 +25,11 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
 /// Empty if there is no [search], or after adding problems.
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Problems&);
+
+/// Whether a ladder of cells gives a result an interval: what is measured, apart from what is an error
+/// itself.
+bool has_interval(std::string_view result);
+std::vector<std::string_view> results_with_interval();
 
 /// Empty if there is no [expect], or after adding problems.
 std::optional<Expectation> read_expectation(const Table& document, const Units&, Problems&);

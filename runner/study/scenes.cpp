@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runner/study/decimal.hpp"
+#include "runner/study/ladder.hpp"
 #include "runner/study/readable.hpp"
 
 namespace mpmstudy {
@@ -78,10 +79,24 @@ class Reporter {
                     as_written ? source->axis->written : problem.value,
                     {"cannot be run", "allowed: " + problem.allowed});
     }
-    return bad;
+    return bad || check_ladder(scene);
   }
 
  private:
+  /// The other end of a ladder of cells has to be a scene, too.
+  bool check_ladder(mpm::Scene scene) {
+    const LadderRequest& ladder = request_.ladder;
+    double& cell = scene.numerics.cell_size;
+    cell = finer_cell(cell, ladder.finds_cell ? ladder.cells - 1 : 1 - ladder.cells);
+    const auto wrong = mpm::find_problems(scene);
+    for (const mpm::Problem& problem : wrong)
+      problems_.add(request_.ladder_place, "ladder", std::to_string(ladder.cells),
+                    {"makes a cell of " + readable(cell, "m"),
+                     "allowed: fewer cells, or a cell_size whose ladder keeps " + problem.parameter + " " +
+                         problem.allowed});
+    return !wrong.empty();
+  }
+
   /// What the file says of a parameter, or of its alternative. Null: nothing, it is a default.
   const Assignment* source_of(std::string_view parameter) const {
     const mpm::Quantity* row = mpm::find_quantity(parameter);
@@ -137,6 +152,7 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
         one.axis->choice->set(scene, static_cast<std::size_t>(value));
     }
     if (!names_kernel && !mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
+    if (request.ladder.finds_cell) scene.numerics.cell_size = coarsest_cell(scene);
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
     bad_jobs += reporter.check(scene, job);
   }

@@ -6,6 +6,7 @@
 #include "libmpm/scene/scene.hpp"
 #include "runner/study/axis.hpp"
 #include "runner/study/combine.hpp"
+#include "runner/study/ladder_request.hpp"
 #include "runner/study/problems.hpp"
 
 namespace mpmstudy {
@@ -16,7 +17,9 @@ struct SceneRequest {
   mpm::Material material;
   std::vector<Axis> axes;        ///< in the order of the file
   std::vector<Point> snapshots;  ///< [s]
-  Place place;                   ///< of `scene`, for problems with values that the file does not name
+  LadderRequest ladder;
+  Place ladder_place;  ///< of its key
+  Place place;         ///< of `scene`, for problems with values that the file does not name
 };
 
 /// The swept ones of the request's axes, in the order of the file.

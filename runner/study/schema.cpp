@@ -16,7 +16,7 @@ const std::vector<Keys>& other_keys() {
       {"parameters", {"material"}},
       {"material", {}},
       {"sweep", {"mode", "samples", "seed"}},
-      {"numerics", {"accuracy"}},
+      {"numerics", {"accuracy", "accuracy_of", "ladder"}},
       {"measure", {"snapshots"}},
       {"search", {"critical", "outcome", "between", "tolerance"}},
       {"expect", {"outcome", "energy_error", "reason", "why"}},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
+#include "runner/study/ladder_request.hpp"
 
 namespace mpmstudy {
 
@@ -25,9 +26,9 @@ struct FigureRequest {
   std::string name;  ///< file stem, e.g. "fig8a"
   std::string title;
   std::string kind;  ///< "history" (area against time), "xy" (result against parameter, with its fit),
-                     ///< "fields" (one panel a snapshot)
+                     ///< "fields" (one panel a snapshot), "calibration" (intervals against finer cells)
   std::string x;     ///< xy: a quantity
-  std::string y;     ///< xy: a result column; fields: "pressure", "plastic_work", ...
+  std::string y;     ///< xy, calibration: a result column; fields: "pressure", "plastic_work", ...
 };
 
 /// A critical value that the study looks for ([search]): the smallest `critical` that has `outcome`.
@@ -66,6 +67,7 @@ struct Study {
   std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
   std::vector<std::string> given;  ///< names of everything the file sets, swept or not; the rest is default
   std::vector<mpm::Scene> scenes;  ///< one per job, in the order of the sweep, every one without problems
+  LadderRequest ladder;            ///< under every scene, whose cell is one end of it
   std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;

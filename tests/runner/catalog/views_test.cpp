@@ -67,6 +67,12 @@ TEST_F(Views, others) {
   EXPECT_EQ(columns("snapshots"), (Names{"key", "time_s", "path", "bytes", "checksum", "step"}));
   EXPECT_EQ(columns("events"),
             (Names{"key", "from_status", "to_status", "at", "by", "attempt", "reason", "id"}));
+  EXPECT_EQ(columns("accuracy"),
+            (Names{"study", "key", "quantity", "value", "unit", "error", "extrapolated_value",
+                   "extrapolated_error", "observed_order", "method", "cells", "discretisation_error",
+                   "measuring_error", "measuring_difference", "scatter", "wanted_error", "reached"}));
+  EXPECT_EQ(columns("ladders"), (Names{"study", "key", "position", "rung_key", "cell_size_m", "status",
+                                       "quantity", "value", "unit", "measuring_error"}));
   EXPECT_EQ(columns("studies"), (Names{"name", "title", "updated_at"}));
 }
 
@@ -74,8 +80,8 @@ TEST_F(Views, every_column_is_documented) {
   std::ifstream file(SOURCE_DIR "/runner/catalog/README.md");
   std::stringstream text;
   text << file.rdbuf();
-  for (const char* view :
-       {"jobs", "metrics", "area_history", "critical_speed", "fits", "snapshots", "events", "studies"})
+  for (const char* view : {"jobs", "metrics", "area_history", "critical_speed", "fits", "snapshots", "events",
+                           "studies", "accuracy", "ladders"})
     for (const auto& column : columns(view))
       EXPECT_NE(text.str().find("`" + column + "`"), std::string::npos) << view << "." << column;
 }

@@ -35,11 +35,11 @@ TEST(Plan, WallTimeIsOfTheLongestJobFirst) {
   plan.jobs[0].predicted_seconds = 1;
   plan.jobs[1].predicted_seconds = 3;
   plan.jobs[2].predicted_seconds = 2;
-  EXPECT_EQ(cpu_seconds(plan), 6);
-  EXPECT_EQ(wall_seconds(plan, 1), 6);
-  EXPECT_EQ(wall_seconds(plan, 2), 3);
-  EXPECT_EQ(wall_seconds(plan, 8), 3);
-  EXPECT_EQ(wall_seconds(Plan{}, 2), 0);
+  EXPECT_EQ(cpu_seconds(plan.jobs), 6);
+  EXPECT_EQ(wall_seconds(plan.jobs, 1), 6);
+  EXPECT_EQ(wall_seconds(plan.jobs, 2), 3);
+  EXPECT_EQ(wall_seconds(plan.jobs, 8), 3);
+  EXPECT_EQ(wall_seconds({}, 2), 0);
 }
 
 TEST(Plan, AHundredThousandJobs) {

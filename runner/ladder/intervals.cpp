@@ -1,0 +1,94 @@
+#include "runner/ladder/intervals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "runner/catalog/query.hpp"
+#include "runner/ladder/climb.hpp"
+#include "runner/study/requests.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// What a ladder has of one quantity.
+struct Measured {
+  std::vector<analysis::LadderPoint> points;
+  std::string unit;
+  bool at_finest = false;  ///< the job itself has it, not only coarser cells
+};
+
+/// quantity -> what the cells under one job have of it.
+using Ladder = std::map<std::string, Measured>;
+
+std::optional<double> number(const SqlValue& value) {
+  const auto* real = std::get_if<double>(&value);
+  return real && std::isfinite(*real) ? std::optional(*real) : std::nullopt;
+}
+
+std::map<std::string, Ladder> read_ladders(const Study& study, const std::filesystem::path& results) {
+  const SqlValue name = study.name;
+  const Rows rows = query(results,
+                          "SELECT key, rung_key, cell_size_m, quantity, value, unit, measuring_error FROM "
+                          "ladders WHERE study = ?1 AND status = 'done' AND value IS NOT NULL",
+                          std::span(&name, 1));
+  std::map<std::string, Ladder> ladders;
+  for (const auto& row : rows.rows) {
+    const auto cell = number(row[2]), value = number(row[4]);
+    if (!cell || !value) continue;
+    const std::string& key = std::get<std::string>(row[0]);
+    Measured& measured = ladders[key][std::get<std::string>(row[3])];
+    measured.points.push_back({*cell, *value, std::abs(number(row[6]).value_or(0))});
+    measured.unit = std::get<std::string>(row[5]);
+    measured.at_finest = measured.at_finest || std::get<std::string>(row[1]) == key;
+  }
+  return ladders;
+}
+
+/// The two parts of the measuring error of the final area, as the job itself has them.
+void split_measuring_error(const Ladder& ladder, IntervalRow& row) {
+  const bool share = row.quantity == "collapsibility";
+  if (!share && row.quantity != "final_area_m2") return;
+  const auto at_finest = [&](const char* name) -> std::optional<double> {
+    const auto found = ladder.find(name);
+    if (found == ladder.end()) return std::nullopt;
+    return std::ranges::min(found->second.points, {}, &analysis::LadderPoint::cell).value;
+  };
+  const auto area = at_finest("final_area_m2"), collapsed = at_finest("collapsibility");
+  // (1 - collapsibility) initial area = final area; an area that is gone says nothing of the initial one.
+  const double unit = share ? (area && collapsed && *collapsed < 1 ? *area / (1 - *collapsed) : 0) : 1;
+  if (!(unit > 0)) return;
+  if (const auto part = at_finest("final_area_difference_m2")) row.measuring_difference = *part / unit;
+  if (const auto part = at_finest("final_area_scatter_m2")) row.scatter = *part / unit;
+}
+
+}  // namespace
+
+std::vector<IntervalRow> intervals_of(const Study& study, const std::filesystem::path& results) {
+  std::vector<IntervalRow> rows;
+  for (const auto& [key, ladder] : read_ladders(study, results))
+    for (const auto& [quantity, measured] : ladder) {
+      if (!measured.at_finest || measured.points.size() < 2 || !has_interval(quantity)) continue;
+      const auto e = analysis::extrapolate(measured.points, bounds_of(quantity));
+      IntervalRow row;
+      row.key = key;
+      row.quantity = quantity;
+      row.unit = measured.unit;
+      row.value = e.value;
+      row.error = e.error;
+      row.extrapolated_value = e.extrapolated_value;
+      row.extrapolated_error = e.extrapolated_error;
+      row.observed_order = e.observed_order;
+      row.method = analysis::name(e.method);
+      row.cells = e.cells;
+      row.discretisation_error = e.discretisation_error;
+      row.measuring_error = e.measuring_error;
+      split_measuring_error(ladder, row);
+      if (study.ladder.accuracy && quantity == study.ladder.quantity)
+        row.wanted_error = wanted_error(study.ladder, e.extrapolated_value);
+      rows.push_back(std::move(row));
+    }
+  return rows;
+}
+
+}  // namespace mpmstudy

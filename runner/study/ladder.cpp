@@ -1,0 +1,103 @@
+#include "runner/study/ladder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "runner/study/quantity_text.hpp"
+#include "runner/study/requests.hpp"
+#include "runner/study/schema.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// More would reach cells that no machine holds.
+constexpr int most_cells = 16;
+
+int read_cells(const Entry& entry, int least, Problems& problems) {
+  const auto* cells = std::get_if<std::int64_t>(&entry.value.data);
+  if (cells && *cells >= least && *cells <= most_cells) return static_cast<int>(*cells);
+  problems.add("ladder", entry.value,
+               {"not a number of cells", "allowed: a whole number from " + std::to_string(least) + " to " +
+                                             std::to_string(most_cells)});
+  return least;
+}
+
+std::optional<double> read_accuracy(const Entry& entry, const Units& units, Problems& problems) {
+  const std::string allowed = "allowed: a share between 0 and 1, such as \"1 %\" or 0.01";
+  const Number number = read_quantity(entry.value, {"1", mpm::Range::positive}, units);
+  if (const auto* refusal = std::get_if<Refusal>(&number)) {
+    problems.add("accuracy", entry.value, {refusal->wrong, allowed});
+    return std::nullopt;
+  }
+  const double share = std::get<double>(number);
+  if (!(share < 1)) problems.add("accuracy", entry.value, {"not less than the whole", allowed});
+  return share;
+}
+
+}  // namespace
+
+double rung_ratio() { return std::numbers::sqrt2; }
+
+double finer_cell(double cell, int rungs) {
+  const int pairs = rungs >= 0 ? rungs / 2 : -((1 - rungs) / 2);  // towards minus infinity
+  const double finer = std::ldexp(cell, -pairs);
+  return rungs == 2 * pairs ? finer : finer / rung_ratio();
+}
+
+double coarsest_cell(const mpm::Scene& s) {
+  constexpr double cells_a_radius = 4, cells_a_width = 8, cells_a_height = 64;
+  switch (s.kind) {
+    case mpm::SceneKind::cavity_impact:
+      return std::min(
+          {s.cavity_radius / cells_a_radius, s.block_width / cells_a_width, s.block_height / cells_a_width});
+    case mpm::SceneKind::planar_impact:
+      return std::min(s.block_width / cells_a_width, s.block_height / cells_a_height);
+    case mpm::SceneKind::imploding_shell:
+      return std::min(s.inner_radius, s.outer_radius - s.inner_radius) / cells_a_radius;
+  }
+  return 0;
+}
+
+std::string_view default_accuracy_of(mpm::SceneKind kind) {
+  switch (kind) {
+    case mpm::SceneKind::cavity_impact:
+      return "collapsibility";
+    case mpm::SceneKind::planar_impact:
+      return "free_surface_speed_m_s";
+    case mpm::SceneKind::imploding_shell:
+      return "stop_radius_m";
+  }
+  return {};
+}
+
+LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> kind, const Units& units,
+                          Problems& problems) {
+  LadderRequest request;
+  if (kind) request.quantity = default_accuracy_of(*kind);
+  if (!numerics) return request;
+  const Entry* cell = numerics->find("cell_size");
+  const Entry* accuracy = numerics->find("accuracy");
+  const Entry* of = numerics->find("accuracy_of");
+  const Entry* ladder = numerics->find("ladder");
+  request.finds_cell = !cell && (accuracy || ladder);
+  if (accuracy) request.accuracy = read_accuracy(*accuracy, units, problems);
+  if (accuracy) request.cells = default_most_cells;
+  if (ladder) request.cells = read_cells(*ladder, accuracy ? first_cells : 1, problems);
+  if (accuracy && cell)
+    problems.add("accuracy", accuracy->value,
+                 {"the cell is given and looked for", "remove accuracy or cell_size"});
+  if (of && !accuracy) {
+    problems.add("accuracy_of", of->value, {"there is no accuracy", "add accuracy = \"1 %\", or remove it"});
+  } else if (of) {
+    const std::string* name = of->value.string();
+    const auto names = results_with_interval();
+    if (!name || std::find(names.begin(), names.end(), *name) == names.end())
+      problems.add("accuracy_of", of->value, unknown_word(name ? *name : "", "result", names));
+    else
+      request.quantity = *name;
+  }
+  return request;
+}
+
+}  // namespace mpmstudy
