@@ -60,7 +60,8 @@ inline std::string key(int n) {
 inline Job job(int n, double seconds = 1) { return {key(n), scene(1e-6 / n), {1000 + n, 200}, seconds}; }
 
 inline Plan plan(int jobs, const std::string& study = "fake") {
-  Plan p{study, {}};
+  Plan p;
+  p.study = study;
   for (int n = 1; n <= jobs; ++n) p.jobs.push_back(job(n, n));
   return p;
 }

@@ -36,11 +36,22 @@ std::string message_of(const std::function<void()>& call) {
 
 int integer(SQLite::Database& db, const std::string& sql) { return db.execAndGet(sql).getInt(); }
 
+/// A catalog as an older program left it: its tables; the views follow when it is opened.
+void make_tables(const fs::path& results, const CatalogSchema& schema) {
+  fs::create_directories(results);
+  SQLite::Database db(catalog_path(results).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  for (const auto& migration : schema.migrations) db.exec(std::string(migration.sql));
+  db.exec("PRAGMA application_id = " + std::to_string(catalog_application_id));
+  db.exec("PRAGMA user_version = " + std::to_string(schema.version()));
+}
+
 class Opening : public testing::Test {
  protected:
   fakes::TemporaryFolder folder;
   fs::path results = folder.path() / "results";
   fs::path path = catalog_path(results);
+  const int version = current_catalog_schema().version();
+  const std::string backup = path.string() + ".v" + std::to_string(version) + ".backup";
 };
 
 TEST_F(Opening, makes_folder_and_catalog) {
@@ -66,26 +77,47 @@ TEST_F(Opening, migrates_an_older_layout_and_keeps_a_copy) {
   open_for_writing(results)->exec(
       "INSERT INTO study (name, title, updated_at) VALUES ('old', 'Old', '2030-01-01T00:00:00.000Z')");
   auto next = current_catalog_schema();
-  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT;"});
+  next.migrations.push_back({version + 1, "CREATE TABLE later (a INTEGER) STRICT;"});
   {
     const auto db = open_for_writing(results, next);
-    EXPECT_EQ(integer(*db, "PRAGMA user_version"), 2);
+    EXPECT_EQ(integer(*db, "PRAGMA user_version"), version + 1);
     EXPECT_TRUE(db->tableExists("later"));
     EXPECT_EQ(integer(*db, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
   }
-  SQLite::Database backup(path.string() + ".v1.backup", SQLite::OPEN_READONLY);
-  EXPECT_EQ(integer(backup, "PRAGMA user_version"), 1);
-  EXPECT_FALSE(backup.tableExists("later"));
-  EXPECT_EQ(integer(backup, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
+  SQLite::Database copy(backup, SQLite::OPEN_READONLY);
+  EXPECT_EQ(integer(copy, "PRAGMA user_version"), version);
+  EXPECT_FALSE(copy.tableExists("later"));
+  EXPECT_EQ(integer(copy, "SELECT count(*) FROM studies WHERE name = 'old'"), 1);
+}
+
+TEST_F(Opening, every_older_layout_becomes_the_current_one) {
+  const auto newest = current_catalog_schema();
+  const auto layout = [](const fs::path& of) {
+    const auto db = open_for_writing(of);
+    std::string text;
+    SQLite::Statement rows(*db,
+                           "SELECT m.name || '.' || c.name || ' ' || c.type FROM sqlite_schema m "
+                           "JOIN pragma_table_info(m.name) c ORDER BY m.name, c.name");
+    while (rows.executeStep()) text += rows.getColumn(0).getString() + "\n";
+    return text;
+  };
+  const auto expected = layout(folder.path() / "new");
+  for (std::size_t kept = 1; kept < newest.migrations.size(); ++kept) {
+    auto older = newest;
+    older.migrations.resize(kept);
+    const auto here = folder.path() / std::to_string(kept);
+    ASSERT_NO_THROW(make_tables(here, older)) << kept;
+    EXPECT_EQ(layout(here), expected) << kept;
+  }
 }
 
 TEST_F(Opening, a_migration_that_fails_changes_nothing) {
   open_for_writing(results);
   auto next = current_catalog_schema();
-  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT; CREATE TABLE nonsense;"});
+  next.migrations.push_back({version + 1, "CREATE TABLE later (a INTEGER) STRICT; CREATE TABLE nonsense;"});
   EXPECT_THROW(open_for_writing(results, next), CatalogError);
   const auto db = open_for_writing(results);
-  EXPECT_EQ(integer(*db, "PRAGMA user_version"), 1);
+  EXPECT_EQ(integer(*db, "PRAGMA user_version"), version);
   EXPECT_FALSE(db->tableExists("later"));
 }
 
@@ -100,7 +132,7 @@ TEST_F(Opening, a_new_parameter_gains_a_column) {
   const auto db = open_for_writing(results);
   EXPECT_EQ(integer(*db, "SELECT count(*) FROM pragma_table_info('jobs') WHERE name = 'impact_speed_m_s'"),
             1);
-  EXPECT_TRUE(fs::exists(path.string() + ".v1.backup"));
+  EXPECT_TRUE(fs::exists(backup));
   // The older program goes on with it, and takes nothing away.
   open_for_writing(results, older);
   EXPECT_EQ(integer(*db, "SELECT count(*) FROM pragma_table_info('jobs') WHERE name = 'impact_speed_m_s'"),
@@ -109,13 +141,14 @@ TEST_F(Opening, a_new_parameter_gains_a_column) {
 
 TEST_F(Opening, a_newer_catalog_is_refused_and_left_as_it_is) {
   auto next = current_catalog_schema();
-  next.migrations.push_back({2, "CREATE TABLE later (a INTEGER) STRICT;"});
+  next.migrations.push_back({version + 1, "CREATE TABLE later (a INTEGER) STRICT;"});
   open_for_writing(results, next);
   const auto before = bytes_of(path);
   for (const auto& message :
        {message_of([&] { open_for_writing(results); }), message_of([&] { open_for_reading(results); })}) {
     EXPECT_THAT(message, HasSubstr(path.string()));
-    EXPECT_THAT(message, HasSubstr("newer mpmstudy (catalog version 2, this program knows up to 1)"));
+    EXPECT_THAT(message, HasSubstr("newer mpmstudy (catalog version " + std::to_string(version + 1) +
+                                   ", this program knows up to " + std::to_string(version) + ")"));
   }
   EXPECT_EQ(bytes_of(path), before);
 }
@@ -160,7 +193,7 @@ TEST_F(Opening, many_at_once_make_one_catalog) {
     });
   for (auto& thread : threads) thread.join();
   EXPECT_EQ(opened, 8);
-  EXPECT_EQ(integer(*open_for_reading(results), "PRAGMA user_version"), 1);
+  EXPECT_EQ(integer(*open_for_reading(results), "PRAGMA user_version"), version);
   for (const auto& entry : fs::directory_iterator(results))
     EXPECT_THAT(entry.path().string(), Not(HasSubstr("backup")));
 }

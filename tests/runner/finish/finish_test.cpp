@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -109,6 +110,58 @@ TEST_F(Finish, FiguresSayWhatIsNotDone) {
   printed.clear();
   EXPECT_EQ(mpmstudy("figures " + file().string(), printed), 75);
   EXPECT_NE(printed.find("2 of 4 jobs are not done"), std::string::npos) << printed;
+}
+
+constexpr const char* cavity = R"(
+schema = 1
+name   = "cavity"
+scene  = "cavity-impact"
+[parameters]
+material             = "aluminium"
+impact_speed         = "200 m/s"
+block_width          = "10 um"
+block_height         = "6 um"
+cavity_center_height = "3 um"
+cavity_radius        = "2 um"
+end_time             = "2 ns"
+[numerics]
+ladder = 5
+[[figure]]
+name  = "held"
+title = "Do intervals hold?"
+kind  = "calibration"
+y     = "largest_collapsibility"
+)";
+
+TEST_F(Finish, IntervalsReachTheCatalogAndTheCalibrationIsDrawn) {
+  std::ofstream(file()) << cavity;
+  std::string printed;
+  ASSERT_EQ(mpmstudy("run " + file().string(), printed), 0) << printed;
+  EXPECT_TRUE(fs::exists(results() / "figures" / "held.svg"));
+  const auto rows =
+      mpmstudy::query(results(),
+                      "SELECT a.cells, a.error, j.collapsibility_error, a.measuring_difference, "
+                      "a.scatter, a.measuring_error FROM accuracy a JOIN jobs j USING (study, key) "
+                      "WHERE a.study = 'cavity' AND a.quantity = 'collapsibility'");
+  ASSERT_EQ(rows.rows.size(), 1u);
+  const auto number = [&](std::size_t column) { return std::get<double>(rows.rows[0][column]); };
+  EXPECT_EQ(std::get<std::int64_t>(rows.rows[0][0]), 5);
+  EXPECT_EQ(number(1), number(2));
+  EXPECT_GT(number(3), 0);
+  EXPECT_LE(std::hypot(number(3), number(4)), number(5) * (1 + 1e-9)) << "the parts, at the finest cell";
+}
+
+TEST_F(Finish, AnAccuracyThatIsMissedIsNoSuccess) {
+  std::ofstream(file()) << cavity;
+  const std::string run = "run " + file().string() + " --set accuracy_of=largest_collapsibility --set ";
+  std::string printed;
+  EXPECT_EQ(mpmstudy(run + "accuracy=0.0001 --set ladder=5", printed), 1) << printed;
+  EXPECT_NE(printed.find("accuracy 0.01 % of largest_collapsibility not reached by 1 of 1 jobs"),
+            std::string::npos)
+      << printed;
+  printed.clear();
+  EXPECT_EQ(mpmstudy(run + "accuracy=0.5 --set ladder=5", printed), 0) << printed;
+  EXPECT_EQ(printed.find("not reached"), std::string::npos) << printed;
 }
 
 }  // namespace

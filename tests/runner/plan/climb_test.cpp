@@ -26,7 +26,7 @@ TEST(Climb, EndsWhereTheIntervalIsInside) {
   EXPECT_EQ(next_step(request(0.0142), first_order(4)), NextStep::reached);
   EXPECT_EQ(next_step(request(0.0101), first_order(4)), NextStep::climb);
   EXPECT_EQ(next_step(request(0.0101), first_order(5)), NextStep::reached);
-  EXPECT_EQ(next_step(request(0.0071), first_order(6)), NextStep::climb);
+  EXPECT_EQ(next_step(request(0.0070), first_order(6)), NextStep::climb);
   EXPECT_EQ(next_step(request(0.0072), first_order(6)), NextStep::reached);
 }
 
