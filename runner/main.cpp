@@ -18,6 +18,7 @@
 #include "runner/cli/figures.hpp"
 #include "runner/cli/plan.hpp"
 #include "runner/cli/query.hpp"
+#include "runner/cli/report.hpp"
 #include "runner/cli/run.hpp"
 #include "runner/cli/status.hpp"
 #include "runner/finish/finish_study.hpp"
@@ -35,6 +36,7 @@ void setup_verbs(CLI::App& app) {
   mpmstudy::setup_query(app);
   mpmstudy::setup_export(app);
   mpmstudy::setup_figures(app);
+  mpmstudy::setup_report(app);
   mpmstudy::setup_bench(app);
 }
 

@@ -53,6 +53,8 @@ class Store {
   void replace_fits(const std::string& study, const std::vector<FitRow>&);
   void replace_critical_speeds(const std::string& study, const std::vector<CriticalSpeedRow>&);
 
+  void replace_claims(const std::vector<Claim>&);
+
   void heartbeat();  ///< this process lives
   void leave();      ///< this process ends in order
 

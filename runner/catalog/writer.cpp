@@ -213,4 +213,8 @@ void CatalogWriter::replace_critical_speeds(const std::string& study, std::vecto
   impl_->ask([study, rows = std::move(rows)](Store& s) { s.replace_critical_speeds(study, rows); });
 }
 
+void CatalogWriter::replace_claims(std::vector<Claim> rows) {
+  impl_->ask([rows = std::move(rows)](Store& s) { s.replace_claims(rows); });
+}
+
 }  // namespace mpmstudy

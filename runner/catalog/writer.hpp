@@ -46,6 +46,8 @@ class CatalogWriter : public Ledger {
   void replace_fits(const std::string& study, std::vector<FitRow>);
   /// Brackets of a registered study, instead of those it had.
   void replace_critical_speeds(const std::string& study, std::vector<CriticalSpeedRow>);
+  /// The paper's claims, instead of those that were there.
+  void replace_claims(std::vector<Claim>);
 
  private:
   struct Impl;
