@@ -131,6 +131,7 @@ class Reader {
     if (!axis) return;
     if (!axis->swept && entry.place.line > 0) fixed_.push_back(entry.key);
     study_.given.push_back(entry.key);
+    study_.places.push_back(entry.value.place.text());
     request_.axes.push_back(std::move(*axis));
   }
 

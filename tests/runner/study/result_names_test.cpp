@@ -24,9 +24,9 @@ std::string catalog_page() {
 /// Metrics of two coarse runs: a cavity, and a planar wave that reaches the free surface.
 std::vector<mpm::Metric> measured() {
   std::vector<mpm::Metric> metrics;
-  const std::string studies[] = {study_text({{"end_time", "\"1 ns\""}},
-                                            "[numerics]\ncell_size = \"0.25 um\"\n"),
-                                 R"(schema = 1
+  const std::string studies[] = {
+      study_text({{"end_time", "\"1 ns\""}}, "[numerics]\ncell_size = \"0.25 um\"\n"),
+      R"(schema = 1
 name = "planar"
 scene = "planar-impact"
 [parameters]
