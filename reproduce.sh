@@ -1,10 +1,33 @@
 #!/usr/bin/env bash
-# From a clean clone to Fig. 8(a, b): installs what is missing, builds, runs the main job, names the figures.
-# Running it again goes on where it was. Options: -j N (jobs at a time), --results DIR.
+# From a clean clone to every figure of the paper and its claims, judged: installs what is missing, builds, runs all
+# studies, writes results/report.html. Running it again goes on where it was.
+#   ./reproduce.sh           coarse cells (0.14 um)
+#   ./reproduce.sh --full    fine cells (0.05 um)
+# Other options go to `mpmstudy run`: -j N (jobs at a time), --results DIR.
 cd "$(dirname "$0")"
 . cmake/setup.sh
 
+cells=1.4
+options=() results=()
+while [ $# -gt 0 ]; do
+  case $1 in
+    --full) cells=0.5 ;;
+    --results) results=(--results "$2"); shift ;;
+    *) options+=("$1") ;;
+  esac
+  shift
+done
+studies=(two-body-jet strong-collapse critical-speed critical-speed-spall weak-collapse symmetry block-height
+         collapsibility-radius collapsibility-yield scale-invariance planar-impact)
+files=("${studies[@]/#/studies/}")
+files=("${files[@]/%/.toml}")
+
 install_missing build
 build release -DMPM_TESTS=OFF
-say "running studies/collapsibility-radius.toml"
-exec build/release/runner/mpmstudy run studies/collapsibility-radius.toml "$@"
+say "running ${#files[@]} studies, cells times $cells"
+build/release/runner/mpmstudy run "${files[@]}" --cells "$cells" --audit "5 %" "${results[@]}" "${options[@]}" || {
+  code=$?
+  [ $code -eq 1 ] || exit $code  # 1: some jobs failed; the page shows which
+}
+say "claims"
+exec build/release/runner/mpmstudy report "${files[@]}" --cells "$cells" "${results[@]}"

@@ -13,7 +13,7 @@ namespace analysis {
 namespace {
 
 /// Room around and between panels, in points; panel images have `pixels_per_point` pixels a point.
-constexpr double left = 66, right = 100, top = 50, bottom = 76, gap_x = 18, gap_y = 30;
+constexpr double left = 76, right = 100, top = 50, bottom = 76, gap_x = 18, gap_y = 30;
 constexpr double figure_width = 900;
 constexpr double pixels_per_point = 2;
 
@@ -130,8 +130,10 @@ std::string frame_script(const FieldPlot& plot, const Layout& l, const Window& w
                       bar_high - bar_low);
   text += fmt::format("set format cb '%g'\nset cblabel {} offset 0.5,0\n",
                       gnuplot_text(axis_label(plot.value, value)));
-  text += fmt::format("set label 1 {} at screen 0.5, screen {} center font ',14'\n", gnuplot_text(plot.title),
-                      1 - 28 / height);
+  // Narrow figures have narrow titles: a letter is about six tenths of the font's size wide.
+  const double size = std::min(14.0, (width - 16) / (0.6 * static_cast<double>(plot.title.size() + 1)));
+  text += fmt::format("set label 1 {} at screen 0.5, screen {} center font ',{:.1f}'\n",
+                      gnuplot_text(plot.title), 1 - 28 / height, size);
   if (!plot.footer.empty())
     text += fmt::format("set label 2 {} at screen {}, screen {} right font ',7.5' tc rgb '#888888'\n",
                         gnuplot_text(plot.footer), 1 - 12 / width, 11 / height);

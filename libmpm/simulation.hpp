@@ -74,7 +74,7 @@ struct RunResult {
   std::int64_t particles = 0;
   std::int64_t steps = 0;
   double energy_error = 0;  ///< |E - E0| / E0, largest over the samples; E: kinetic + internal (walls at rest do no work)
-  std::string outcome;      ///< collapsed, partial; empty where the scene decides nothing
+  std::string outcome;  ///< collapsed, partial, ejected, arrested, undecided; empty where the scene decides nothing
   std::optional<double> initial_area, final_area, final_area_error;  ///< [m^2]
   std::optional<double> collapsibility, collapsibility_error;        ///< (A0 - A)/A0 [1]
   std::vector<AreaSample> area_history;

@@ -20,6 +20,7 @@
 #include "runner/cli/merge.hpp"
 #include "runner/cli/plan.hpp"
 #include "runner/cli/query.hpp"
+#include "runner/cli/report.hpp"
 #include "runner/cli/retry.hpp"
 #include "runner/cli/run.hpp"
 #include "runner/cli/status.hpp"
@@ -46,6 +47,7 @@ void setup_verbs(CLI::App& app) {
   mpmstudy::setup_query(app);
   mpmstudy::setup_export(app);
   mpmstudy::setup_figures(app);
+  mpmstudy::setup_report(app);
   mpmstudy::setup_bench(app);
 }
 

@@ -21,10 +21,12 @@ constexpr double window = 0.25;  ///< share of the run that counts as its end
 
 Cavity::Cavity(const Scene& s, const State& state, Observer& observer)
     : observer_(observer),
+      open_below_(s.kind == SceneKind::two_body_impact),
       contour_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.cell_size,
                s.numerics.symmetry == Symmetry::half),
       void_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,
             s.numerics.particles_per_cell),
+      jet_(s),
       initial_offset_(contour_.centroid().y() - center_of_mass_height(state.particles)),
       smallest_area_(contour_.area()),
       smallest_sample_(smallest_area_) {}
@@ -34,11 +36,20 @@ void Cavity::after_step(const State& s, const StepReport&, double dt) {
   if (crossed_time_ < 0) smallest_area_ = std::min(smallest_area_, std::max(contour_.area(), 0.0));
 }
 
+bool Cavity::joined_outside() const {
+  return void_.joined_outside() || (open_below_ && void_.touches_wall());
+}
+
 void Cavity::sample(const State& s) {
   const AreaSample now{s.time, contour_.area(), void_.update(s)};
   if (now.void_area == 0 && closed_time_ < 0) closed_time_ = s.time;
-  if (void_.joined_outside() && joined_time_ < 0) joined_time_ = s.time;
+  if (joined_outside() && joined_time_ < 0) joined_time_ = s.time;
   if (crossed_time_ < 0 && contour_.crosses_itself()) crossed_time_ = s.time;
+  const bool itself = now.void_area > 0 && !void_.joined_outside() && !void_.touches_wall();
+  const int others = void_.closed_regions() - (itself ? 1 : 0);
+  most_new_ = std::max(most_new_, others);
+  if (others > 0 && new_time_ < 0) new_time_ = s.time;
+  jet_.sample(s, contour_);
   if (crossed_time_ < 0 && now.area < smallest_sample_) {
     smallest_sample_ = now.area;
     smallest_difference_ = std::abs(now.void_area - now.area);
@@ -89,6 +100,10 @@ void Cavity::finish(const State& s, RunResult& result) {
     m.push_back({"contour_crossed_time_s", crossed_time_, "s", {}});
   }
   m.push_back({"final_void_area_m2", history_.back().void_area, "m2", {}});
+  m.push_back({"new_cavities", static_cast<double>(most_new_), "1", {}});
+  if (new_time_ >= 0) m.push_back({"new_cavities_time_s", new_time_, "s", {}});
+  m.push_back({"cavities_at_end", static_cast<double>(void_.closed_regions()), "1", {}});
+  jet_.finish(result);
   if (closed_time_ >= 0) m.push_back({"cavity_closed_time_s", closed_time_, "s", {}});
   if (joined_time_ >= 0) m.push_back({"cavity_joined_outside_time_s", joined_time_, "s", {}});
   result.area_history = std::move(history_);

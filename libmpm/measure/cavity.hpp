@@ -1,5 +1,6 @@
 #pragma once
 #include "libmpm/measure/contour.hpp"
+#include "libmpm/measure/jet.hpp"
 #include "libmpm/measure/measurement.hpp"
 #include "libmpm/measure/void_area.hpp"
 
@@ -17,7 +18,9 @@ namespace mpm {
 /// elsewhere after it was gone is not followed. Metrics: aspect_ratio (width / height),
 /// lower_upper_area_ratio, centroid_shift_m (along the impact, against the body's centre of mass), all three
 /// only for a contour that has not crossed itself; cavity_closed_time_s, cavity_joined_outside_time_s,
-/// contour_crossed_time_s, each only if it happened; final_void_area_m2.
+/// contour_crossed_time_s, each only if it happened; final_void_area_m2; new_cavities (the most closed
+/// empty regions at one time beside the cavity itself), new_cavities_time_s (when the first of them was
+/// seen), cavities_at_end; and those of Jet.
 class Cavity : public Measurement {
  public:
   Cavity(const Scene&, const State&, Observer&);
@@ -27,14 +30,20 @@ class Cavity : public Measurement {
   void finish(const State&, RunResult&) override;
 
  private:
+  bool joined_outside() const;
+
   Observer& observer_;
+  bool open_below_;  ///< no wall: what reaches the lowest row of the grid is the outside
   Contour contour_;
   VoidArea void_;
+  Jet jet_;
   std::vector<AreaSample> history_;
   double initial_offset_;           ///< centroid above the centre of mass [m]
   double smallest_area_;            ///< of the contour until it crosses itself [m^2]
   double smallest_difference_ = 0;  ///< between the two areas at the sample with the smallest one [m^2]
   double smallest_sample_;          ///< that one [m^2]
+  int most_new_ = 0;                ///< closed empty regions beside the cavity, at one time
+  double new_time_ = -1;            ///< when the first was seen [s]
   double closed_time_ = -1, joined_time_ = -1, crossed_time_ = -1;
 };
 

@@ -81,6 +81,8 @@ bool Contour::crosses_itself() const {
   return false;
 }
 
+Vec2 Contour::downstream_pole() const { return half_ ? markers_.back() : markers_[markers_.size() / 2]; }
+
 double Contour::area() const { return 0.5 * moments(closed()).area2; }
 
 double Contour::width() const {

@@ -21,6 +21,8 @@ class Contour {
   /// True once the curve has crossed itself (a jet has met the far side): its area means nothing from then
   /// on.
   bool crosses_itself() const;
+  Vec2 upstream_pole() const { return markers_.front(); }  ///< the marker that started lowest [m]
+  Vec2 downstream_pole() const;                            ///< ... and highest [m]
   double area() const;    ///< of the whole cavity [m^2], positive while the curve keeps its sense
   double width() const;   ///< [m]
   double height() const;  ///< [m]

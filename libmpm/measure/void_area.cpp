@@ -105,15 +105,12 @@ void VoidArea::seed(const Indicator& f, const Vec2& origin, std::vector<char>& r
     }
 }
 
-double VoidArea::update(const State& s) {
-  const Indicator f = indicator_of(s, points_per_particle_);
-  const int stride = f.columns + 1;
-  std::vector<char> region(f.fraction.size(), 0);
-  seed(f, s.grid.origin(), region);
+namespace {
 
-  std::vector<int> front;
-  for (std::size_t k = 0; k < region.size(); ++k)
-    if (region[k]) front.push_back(static_cast<int>(k));
+/// Marks all empty nodes that are connected to the marked ones; returns how many are marked in all.
+int spread(const Indicator& f, std::vector<char>& region, std::vector<int> front) {
+  const int stride = f.columns + 1;
+  int count = static_cast<int>(front.size());
   while (!front.empty()) {
     const int k = front.back(), i = k % stride, j = k / stride;
     front.pop_back();
@@ -123,9 +120,48 @@ double VoidArea::update(const State& s) {
       char& mark = region[static_cast<std::size_t>(b * stride + a)];
       if (mark || f.at(a, b) >= half_full) continue;
       mark = 1;
+      ++count;
       front.push_back(b * stride + a);
     }
   }
+  return count;
+}
+
+/// Empty regions of `smallest` nodes or more that reach neither the topmost row, which is above every
+/// particle, nor the lowest, where a body leaves the wall.
+int count_closed(const Indicator& f) {
+  constexpr int smallest = 4;
+  std::vector<char> seen(f.fraction.size(), 0);
+  std::vector<int> outside;
+  for (int k = 0; k < static_cast<int>(seen.size()); ++k) {
+    const int row = k / (f.columns + 1);
+    if ((row > 0 && row < f.rows) || f.fraction[static_cast<std::size_t>(k)] >= half_full) continue;
+    seen[static_cast<std::size_t>(k)] = 1;
+    outside.push_back(k);
+  }
+  spread(f, seen, std::move(outside));
+  int regions = 0;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (seen[k] || f.fraction[k] >= half_full) continue;
+    seen[k] = 1;
+    regions += spread(f, seen, {static_cast<int>(k)}) >= smallest;
+  }
+  return regions;
+}
+
+}  // namespace
+
+double VoidArea::update(const State& s) {
+  const Indicator f = indicator_of(s, points_per_particle_);
+  const int stride = f.columns + 1;
+  std::vector<char> region(f.fraction.size(), 0);
+  seed(f, s.grid.origin(), region);
+
+  std::vector<int> front;
+  for (std::size_t k = 0; k < region.size(); ++k)
+    if (region[k]) front.push_back(static_cast<int>(k));
+  spread(f, region, std::move(front));
+  closed_regions_ = count_closed(f);
 
   joined_outside_ = touches_wall_ = false;
   bool any = false;

@@ -33,6 +33,9 @@ class VoidArea {
   /// Follows the region and returns its area [m^2]; 0 once it is gone.
   double update(const State&);
 
+  /// Empty regions of four nodes or more that reach neither free surface nor wall; this one is among them if
+  /// it does not.
+  int closed_regions() const { return closed_regions_; }
   bool joined_outside() const { return joined_outside_; }  ///< the region reaches the free surface
   bool touches_wall() const { return touches_wall_; }      ///< ... the impact wall
 
@@ -44,6 +47,7 @@ class VoidArea {
   bool full_width_;
   int points_per_particle_, points_per_cell_;
   bool started_ = false, joined_outside_ = false, touches_wall_ = false;
+  int closed_regions_ = 0;
   int previous_columns_ = 0, previous_rows_ = 0;
   std::vector<char> previous_;  ///< nodes of the region at the last update
 };

@@ -62,6 +62,7 @@ Annulus body_of(const Scene& s) {
     case SceneKind::planar_impact:
       return {-everywhere, everywhere};
     case SceneKind::cavity_impact:
+    case SceneKind::two_body_impact:
       return {s.cavity_radius, everywhere};
     case SceneKind::imploding_shell:
       return {s.inner_radius, s.outer_radius};
@@ -69,9 +70,9 @@ Annulus body_of(const Scene& s) {
   return {};
 }
 
-/// At a place relative to the centre.
-Vec2 velocity_at(const Scene& s, const Vec2& x) {
-  if (s.kind != SceneKind::imploding_shell) return {0, -s.impact_speed};
+/// At a place relative to the centre; height above the impact face.
+Vec2 velocity_at(const Scene& s, const Vec2& x, double height) {
+  if (s.kind != SceneKind::imploding_shell) return {0, height < 0 ? s.impact_speed : -s.impact_speed};
   return -s.inner_speed * s.inner_radius / x.squaredNorm() * x;
 }
 
@@ -84,7 +85,8 @@ Lattice lattice_of_shell(const Scene& s, bool half) {
           half ? Vec2(0, 0) : Vec2(0, cells * h),
           across * h,
           across,
-          across};
+          across,
+          0};
 }
 
 }  // namespace
@@ -100,7 +102,17 @@ Lattice lattice_of(const Scene& s) {
   l.cell = Vec2(half_width / half_columns, s.block_height / l.rows);
   l.columns = half ? half_columns : 2 * half_columns;
   l.width = half ? half_width : s.block_width;
-  l.origin = Vec2(half ? 0 : -half_width, 0);
+  l.empty_rows = 0;
+  double bottom = 0;
+  if (s.kind == SceneKind::two_body_impact) {
+    // The struck block, and below it the way that its rear face goes after the shock, at most at
+    // impact_speed.
+    const int room = static_cast<int>(std::ceil(s.impact_speed * s.end_time / l.cell.y())) + 4;
+    l.empty_rows = room;
+    bottom = -(l.rows + room) * l.cell.y();
+    l.rows += l.rows + room;
+  }
+  l.origin = Vec2(half ? 0 : -half_width, bottom);
   l.center = Vec2(0, s.cavity_center_height);
   return l;
 }
@@ -117,14 +129,14 @@ State build_state(const Scene& s) {
     state.floor = Floor::mirror;
   Particles& ps = state.particles;
   ps.reserve(static_cast<std::size_t>(l.columns * l.rows * side * side));
-  for (int j = 0; j < l.rows * side; ++j)
+  for (int j = l.empty_rows * side; j < l.rows * side; ++j)
     for (int i = 0; i < l.columns * side; ++i) {
       const Vec2 center = l.origin + Vec2((i + 0.5) * share.x(), (j + 0.5) * share.y());
       const Remainder r = remainder(center - l.center, share, body);
       if (r.fraction < smallest_fraction) continue;
       const double volume = r.fraction * share_area;
       const Vec2 position = r.fraction == 1 ? center : Vec2(l.center + r.centroid);
-      ps.add(position, velocity_at(s, r.centroid), s.material.reference_density * volume, volume,
+      ps.add(position, velocity_at(s, r.centroid, center.y()), s.material.reference_density * volume, volume,
              0.5 * std::sqrt(r.fraction) * share);
     }
   if (s.material.kinematic_fraction > 0) ps.back_stress.resize(ps.size());

@@ -8,12 +8,13 @@ namespace mpm {
 /// cell in all so that walls and free surface lie on nodes. A shell stands in a square with two cells to
 /// spare, so that neither the right mirror nor, where all of it is modelled, the impact wall ever feels it.
 struct Lattice {
-  Vec2 origin;   ///< lower left corner of the modelled part [m]
-  Vec2 cell;     ///< (hx, hy) [m]
-  Vec2 center;   ///< of the cavity or of the shell [m]
-  double width;  ///< of the modelled part [m]
-  int columns;   ///< cells across
-  int rows;      ///< cells upwards
+  Vec2 origin;     ///< lower left corner of the modelled part [m]
+  Vec2 cell;       ///< (hx, hy) [m]
+  Vec2 center;     ///< of the cavity or of the shell [m]
+  double width;    ///< of the modelled part [m]
+  int columns;     ///< cells across
+  int rows;        ///< cells upwards
+  int empty_rows;  ///< of them, the lowest, where no body is
 };
 Lattice lattice_of(const Scene&);
 

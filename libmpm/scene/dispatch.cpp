@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "libmpm/measure/cavity.hpp"
+#include "libmpm/measure/ejection.hpp"
 #include "libmpm/measure/hot_spots.hpp"
 #include "libmpm/measure/planar_shock.hpp"
 #include "libmpm/measure/shell.hpp"
@@ -67,7 +68,9 @@ std::unique_ptr<Stepper> stepper_for(const Scene& s) {
 std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene& s, const State& state,
                                                            Observer& observer) {
   std::vector<std::unique_ptr<Measurement>> all;
-  if (s.kind == SceneKind::cavity_impact) all.push_back(std::make_unique<Cavity>(s, state, observer));
+  if (has_cavity(s.kind)) all.push_back(std::make_unique<Cavity>(s, state, observer));
+  if (has_cavity(s.kind) && s.measures.decides == Decides::ejection)
+    all.push_back(std::make_unique<Ejection>(s, state));
   if (s.kind == SceneKind::planar_impact) all.push_back(std::make_unique<PlanarShock>(s, state));
   if (s.kind == SceneKind::imploding_shell) all.push_back(std::make_unique<Shell>(s, state));
   all.push_back(std::make_unique<HotSpots>(

@@ -7,7 +7,7 @@ namespace {
 
 bool every(SceneKind) { return true; }
 bool block(SceneKind k) { return k != SceneKind::imploding_shell; }
-bool cavity(SceneKind k) { return k == SceneKind::cavity_impact; }
+bool cavity(SceneKind k) { return has_cavity(k); }
 bool shell(SceneKind k) { return k == SceneKind::imploding_shell; }
 
 using S = Scene;
@@ -25,11 +25,11 @@ constexpr bool derived = true;
 // wall_thickness stands behind the three lengths that it is made of: rows are applied from the top.
 // clang-format off
 const Quantity quantity_table[] = {
-    {"impact_speed", "m/s", "impact_speed_m_s", "speed of the block onto the rigid wall",
+    {"impact_speed", "m/s", "impact_speed_m_s", "speed of the block onto the rigid wall; of two bodies: of each, towards the other",
      P, positive, required, "", block, FIELD(impact_speed)},
     {"block_width", "m", "block_width_m", "full width of the block, between its mirrors",
      P, positive, required, "", block, FIELD(block_width)},
-    {"block_height", "m", "block_height_m", "height of the block",
+    {"block_height", "m", "block_height_m", "height of the block; of two bodies: of each",
      P, positive, required, "", block, FIELD(block_height)},
     {"cavity_radius", "m", "cavity_radius_m", "radius of the cavity",
      P, positive, required, "", cavity, FIELD(cavity_radius)},
@@ -92,6 +92,8 @@ const Quantity quantity_table[] = {
 
     {"area_every", "s", "area_every_s", "period of the area history",
      Section::measure, positive, optional, "", every, FIELD(measures.area_every)},
+    {"detached_for", "s", "detached_for_s", "how long a part must have been off the body to count as ejected",
+     Section::measure, non_negative, optional, "", cavity, FIELD(measures.detached_for)},
 };
 // clang-format on
 #undef FIELD
@@ -101,7 +103,10 @@ constexpr std::string_view hardening_names[] = {"norm", "equivalent", "tangent"}
 constexpr std::string_view scheme_names[] = {"gimp", "bspline2", "cpdi", "bspline3"};
 constexpr std::string_view symmetry_names[] = {"half", "full"};
 constexpr std::string_view kernel_names[] = {"fast", "reference"};
-constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact", "imploding-shell"};
+constexpr std::string_view decides_names[] = {"collapse", "ejection"};
+constexpr std::string_view stop_names[] = {"end-time", "decided"};
+constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact", "two-body-impact",
+                                           "imploding-shell"};
 
 #define CHOICE(member)                                           \
   [](const S& s) { return static_cast<std::size_t>(s.member); }, \
@@ -117,6 +122,10 @@ const Choice choice_table[] = {
      every, CHOICE(numerics.symmetry)},
     {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against",
      N, kernel_names, every, CHOICE(numerics.kernel)},
+    {"decides", "decides", "what the outcome of a run says: is the cavity gone, or is material ejected",
+     Section::measure, decides_names, cavity, CHOICE(measures.decides)},
+    {"stop", "stop", "when a run ends: at end_time, or as soon as its ejection is decided", Section::measure,
+     stop_names, cavity, CHOICE(measures.stop)},
 };
 #undef CHOICE
 

@@ -10,10 +10,13 @@ namespace mpm {
 
 /// What is simulated. All scenes are plane strain, and x = 0 is a mirror axis of the configuration.
 enum class SceneKind {
-  cavity_impact,   ///< a block with a cavity; y along the impact, the impact wall is y = 0, v_y =
-                   ///< -impact_speed
-  planar_impact,   ///< the same block without the cavity
-  imploding_shell  ///< a ring that nothing touches, with v(r) = -inner_speed inner_radius / r
+  cavity_impact,    ///< a block with a cavity; y along the impact, the impact wall is y = 0, v_y =
+                    ///< -impact_speed
+  planar_impact,    ///< the same block without the cavity
+  two_body_impact,  ///< the block with the cavity at -impact_speed onto a block of the same size without one,
+                    ///< which comes at +impact_speed; they meet at y = 0, and hold together there once they
+                    ///< have met
+  imploding_shell   ///< a ring that nothing touches, with v(r) = -inner_speed inner_radius / r
 };
 
 enum class ShapeFunction {
@@ -35,6 +38,11 @@ enum class Kernel {
   reference,  ///< step/step.hpp: plain, slow, the oracle
 };
 
+/// A block with a cavity in it.
+constexpr bool has_cavity(SceneKind k) {
+  return k == SceneKind::cavity_impact || k == SceneKind::two_body_impact;
+}
+
 /// How a scene is computed. Make one with default_numerics(), which knows what suits a kind of scene.
 struct Numerics {
   double cell_size = 0;        ///< h [m]
@@ -48,8 +56,23 @@ struct Numerics {
   double quadratic_viscosity = 0;  ///< q2 [1]
 };
 
+/// What the outcome of a run with a cavity says.
+enum class Decides {
+  collapse,  ///< is the cavity gone? collapsed, partial
+  ejection,  ///< does the downstream wall throw out material? See measure/ejection.hpp
+};
+
+/// When a run ends.
+enum class Stop {
+  end_time,
+  decided,  ///< as soon as its outcome is known (ejection), or at end_time
+};
+
 struct Measures {
-  double area_every = 0;          ///< period of the area history [s]
+  double area_every = 0;    ///< period of the area history, and of all that is sampled [s]
+  double detached_for = 0;  ///< how long a part must have been off the body to count as ejected [s]
+  Decides decides = Decides::collapse;
+  Stop stop = Stop::end_time;
   std::vector<double> snapshots;  ///< times at which fields are handed to the observer [s], ascending
 };
 

@@ -113,7 +113,8 @@ void check_size(const Scene& s, Report& report) {
   constexpr double most_particles = 1e9, most_steps = 1e9, most_samples = 1e6;
   const bool shell = s.kind == SceneKind::imploding_shell;
   const double width = shell ? 2 * s.outer_radius : s.block_width;
-  const double height = shell ? width : s.block_height;
+  const double bodies = s.kind == SceneKind::two_body_impact ? 2 : 1;
+  const double height = shell ? width : bodies * s.block_height;
   const double h = s.numerics.cell_size;
   const double particles = width / h * (height / h) * s.numerics.particles_per_cell;
   report.require(particles <= most_particles, "cell_size",
@@ -142,6 +143,7 @@ Numerics default_numerics(SceneKind kind) {
       break;
     case SceneKind::imploding_shell:
     case SceneKind::cavity_impact:
+    case SceneKind::two_body_impact:
       n.scheme = ShapeFunction::bspline2;
       n.particles_per_cell = 4;
       n.linear_viscosity = 0.5;
@@ -163,7 +165,7 @@ std::vector<Problem> find_problems(const Scene& s) {
     return report.take();
   }
   check_block(s, report);
-  if (s.kind == SceneKind::cavity_impact) check_cavity(s, report);
+  if (has_cavity(s.kind)) check_cavity(s, report);
   return report.take();
 }
 
@@ -175,8 +177,8 @@ static double area_of(const Scene& s, const Lattice& lattice) {
     return s.numerics.symmetry == Symmetry::half ? ring / 4 : ring;
   }
   double area = lattice.width * s.block_height;
-  if (s.kind == SceneKind::cavity_impact)
-    area -= pi * s.cavity_radius * s.cavity_radius * (lattice.width / s.block_width);
+  if (s.kind == SceneKind::two_body_impact) area *= 2;
+  if (has_cavity(s.kind)) area -= pi * s.cavity_radius * s.cavity_radius * (lattice.width / s.block_width);
   return area;
 }
 

@@ -60,6 +60,8 @@ struct FitRow {
   std::optional<double> standard_error;
   std::optional<double> r2;
   std::string unit;  ///< of value
+  /// With c0, c1, ... [unit of the product]; empty where standard errors are unknown.
+  std::vector<double> covariance{};
 };
 
 /// The interval of one number of one job; a row of the view `accuracy`. Half widths, in `unit`.
@@ -86,11 +88,26 @@ struct CriticalSpeedRow {
   double lower = 0;                      ///< [m/s]
   double upper = 0;                      ///< [m/s]
   std::string lower_key, upper_key;
-  double cell_size = 0;  ///< [m]
+  double cell_size = 0;                  ///< [m]
+  std::optional<double> extrapolated{};  ///< to cells of size 0; on the finest cell of a ladder [m/s]
+  std::optional<double> interval{};      ///< half width of its interval, resolution included [m/s]
+  std::string flags;                     ///< what a reader has to know: "flips back at 410"; mostly ""
+  std::int64_t runs = 0;                 ///< jobs that this search asked for
+  std::int64_t position = 0;             ///< of the point in the study's sweep
+};
+
+/// One sentence of the paper, judged; a row of the view `claims`.
+struct Claim {
+  std::string name;      ///< short, for queries: "critical-speed-parabola"
+  std::string sentence;  ///< what the paper says
+  std::string study;     ///< whose jobs the number is from
+  std::string measured;  ///< the number, with its error where one is known
+  std::string verdict;   ///< "holds", "does not", "not comparable", or "not run"
+  std::string note;      ///< what the verdict rests on
 };
 
 /// The answer to a wish to run a job.
-struct Claim {
+struct JobClaim {
   bool mine = false;                        ///< it is this process's to run
   JobStatus status = JobStatus::cancelled;  ///< what it is, if it is not: running (by another), done, failed
   std::int64_t crashes = 0;                 ///< how often its process has ended while it ran

@@ -165,6 +165,23 @@ CREATE INDEX interval_by_job ON interval (job_id, quantity);
 )sql";
 
 constexpr std::string_view version_3 = R"sql(
+ALTER TABLE critical_speed_bracket ADD COLUMN extrapolated_m_s REAL;  -- to cells of size 0, on the finest row
+ALTER TABLE critical_speed_bracket ADD COLUMN interval_m_s REAL;      -- half width, resolution included
+ALTER TABLE critical_speed_bracket ADD COLUMN flags TEXT NOT NULL DEFAULT '';
+ALTER TABLE critical_speed_bracket ADD COLUMN runs INTEGER;           -- jobs that the search asked for
+CREATE TABLE claim (             -- sentences of the paper, judged
+  position INTEGER PRIMARY KEY,
+  name     TEXT NOT NULL,
+  sentence TEXT NOT NULL,
+  study    TEXT NOT NULL,
+  measured TEXT NOT NULL,
+  verdict  TEXT NOT NULL,
+  note     TEXT NOT NULL
+) STRICT;
+ALTER TABLE fit ADD COLUMN covariance TEXT;                           -- with c0, c1, ...: JSON array
+)sql";
+
+constexpr std::string_view version_4 = R"sql(
 ALTER TABLE job ADD COLUMN failure_kind TEXT
   CHECK (failure_kind IN ('breakdown','timeout','memory','crash','error'));
 ALTER TABLE job ADD COLUMN crashes INTEGER NOT NULL DEFAULT 0;  -- times that its process ended while it ran
@@ -232,16 +249,20 @@ FROM event e JOIN job j ON j.id = e.job_id JOIN runner r ON r.id = e.runner_id;
 DROP VIEW IF EXISTS studies;
 CREATE VIEW studies AS SELECT name, title, updated_at, path, overrides FROM study;
 
+DROP VIEW IF EXISTS claims;
+CREATE VIEW claims AS SELECT name, sentence, verdict, measured, note, study FROM claim;
+
 DROP VIEW IF EXISTS fits;
 CREATE VIEW fits AS SELECT s.name AS study, f.quantity AS quantity, f.model AS model,
   f.coefficient AS coefficient, f.value AS value, f.standard_error AS standard_error, f.r2 AS r2,
-  f.unit AS unit, f.against AS against
+  f.unit AS unit, f.against AS against, f.covariance AS covariance
 FROM study s JOIN fit f ON f.study_id = s.id;
 
 DROP VIEW IF EXISTS critical_speed;
 CREATE VIEW critical_speed AS SELECT s.name AS study, b.wall_thickness_m AS wall_thickness_m,
   b.lower_m_s AS lower_m_s, b.upper_m_s AS upper_m_s, b.lower_key AS lower_key, b.upper_key AS upper_key,
-  b.cell_size_m AS cell_size_m
+  b.cell_size_m AS cell_size_m, b.extrapolated_m_s AS extrapolated_m_s, b.interval_m_s AS interval_m_s,
+  b.flags AS flags, b.runs AS runs, b.position AS position
 FROM study s JOIN critical_speed_bracket b ON b.study_id = s.id;
 
 DROP VIEW IF EXISTS accuracy;
@@ -294,7 +315,7 @@ std::vector<ParameterColumn> parameter_columns() {
 }  // namespace
 
 CatalogSchema current_catalog_schema() {
-  return {{{1, version_1}, {2, version_2}, {3, version_3}}, parameter_columns()};
+  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}}, parameter_columns()};
 }
 
 std::string view_sql(std::span<const std::string> columns) {

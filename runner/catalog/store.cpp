@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "runner/catalog/store_impl.hpp"
 
 namespace mpmstudy {
@@ -36,7 +38,7 @@ void Store::begin_part() { impl_->db->exec("SAVEPOINT part"); }
 void Store::commit_part() { impl_->db->exec("RELEASE part"); }
 void Store::rollback_part() { impl_->db->exec("ROLLBACK TO part; RELEASE part"); }
 
-Claim Store::claim(const std::string& key) {
+JobClaim Store::claim(const std::string& key) {
   auto row = impl_->find(key);
   if (!row) return {};
   if (row->status == JobStatus::running && impl_->take_up(*row)) row = impl_->find(key);
@@ -92,11 +94,12 @@ void Store::replace_fits(const std::string& study, const std::vector<FitRow>& fi
   SQLite::Statement insert(
       *impl_->db,
       "INSERT INTO fit (study_id, position, quantity, against, model, coefficient, value, "
-      "standard_error, r2, unit) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "standard_error, r2, unit, covariance) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   std::int64_t position = 0;
   for (const auto& f : fits)
     execute(insert, id, position++, f.quantity, f.against, f.model, f.coefficient, f.value, f.standard_error,
-            f.r2, f.unit);
+            f.r2, f.unit,
+            f.covariance.empty() ? std::nullopt : std::optional(nlohmann::json(f.covariance).dump()));
 }
 
 void Store::replace_critical_speeds(const std::string& study, const std::vector<CriticalSpeedRow>& rows) {
@@ -106,11 +109,21 @@ void Store::replace_critical_speeds(const std::string& study, const std::vector<
   SQLite::Statement insert(
       *impl_->db,
       "INSERT INTO critical_speed_bracket (study_id, position, wall_thickness_m, lower_m_s, "
-      "upper_m_s, lower_key, upper_key, cell_size_m) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-  std::int64_t position = 0;
+      "upper_m_s, lower_key, upper_key, cell_size_m, extrapolated_m_s, interval_m_s, flags, runs) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& b : rows)
-    execute(insert, id, position++, b.wall_thickness, b.lower, b.upper, b.lower_key, b.upper_key,
-            b.cell_size);
+    execute(insert, id, b.position, b.wall_thickness, b.lower, b.upper, b.lower_key, b.upper_key, b.cell_size,
+            b.extrapolated, b.interval, b.flags, b.runs);
+}
+
+void Store::replace_claims(const std::vector<Claim>& claims) {
+  impl_->db->exec("DELETE FROM claim");
+  SQLite::Statement insert(*impl_->db,
+                           "INSERT INTO claim (position, name, sentence, study, measured, verdict, note) "
+                           "VALUES (?, ?, ?, ?, ?, ?, ?)");
+  std::int64_t position = 0;
+  for (const auto& c : claims)
+    execute(insert, position++, c.name, c.sentence, c.study, c.measured, c.verdict, c.note);
 }
 
 void Store::heartbeat() {

@@ -43,7 +43,7 @@ class Store {
   JobStatus add_finer(const std::string& study, const Job& rung, bool retry_failed);
 
   /// planned -> running, by this process. A job that another one runs is taken up if that one is gone.
-  Claim claim(const std::string& key);
+  JobClaim claim(const std::string& key);
   /// The child process that ran the job died; gives back how often its process has. Throws CatalogError if
   /// this process does not run the job.
   std::int64_t crashed(const std::string& key);
@@ -56,6 +56,8 @@ class Store {
   void replace_intervals(const std::string& study, const std::vector<IntervalRow>&);
   void replace_fits(const std::string& study, const std::vector<FitRow>&);
   void replace_critical_speeds(const std::string& study, const std::vector<CriticalSpeedRow>&);
+
+  void replace_claims(const std::vector<Claim>&);
 
   void heartbeat();  ///< this process lives
   void leave();      ///< this process ends in order

@@ -180,7 +180,7 @@ Registration CatalogWriter::register_study(const std::string& name, const std::s
   });
 }
 
-Claim CatalogWriter::claim(const std::string& key) {
+JobClaim CatalogWriter::claim(const std::string& key) {
   return impl_->ask([key](Store& s) { return s.claim(key); });
 }
 
@@ -220,6 +220,10 @@ void CatalogWriter::replace_fits(const std::string& study, std::vector<FitRow> r
 
 void CatalogWriter::replace_critical_speeds(const std::string& study, std::vector<CriticalSpeedRow> rows) {
   impl_->ask([study, rows = std::move(rows)](Store& s) { s.replace_critical_speeds(study, rows); });
+}
+
+void CatalogWriter::replace_claims(std::vector<Claim> rows) {
+  impl_->ask([rows = std::move(rows)](Store& s) { s.replace_claims(rows); });
 }
 
 }  // namespace mpmstudy

@@ -32,7 +32,7 @@ class CatalogWriter : public Ledger {
 
   Registration register_study(const std::string& name, const std::string& title, std::vector<Job>,
                               bool retry_failed, StudySource = {});
-  Claim claim(const std::string& key) override;
+  JobClaim claim(const std::string& key) override;
   std::int64_t crashed(const std::string& key) override;
   void finish(FinishedJob) override;
   void release(const std::string& key, const std::string& reason) override;
@@ -50,6 +50,8 @@ class CatalogWriter : public Ledger {
   void replace_fits(const std::string& study, std::vector<FitRow>);
   /// Brackets of a registered study, instead of those it had.
   void replace_critical_speeds(const std::string& study, std::vector<CriticalSpeedRow>);
+  /// The paper's claims, instead of those that were there.
+  void replace_claims(std::vector<Claim>);
 
  private:
   struct Impl;

@@ -10,11 +10,15 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
                   "Over the file: --set impact_speed=\"300 m/s\", --set cavity_radius='[\"1 um\", \"2 um\"]'")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  verb.add_option("--cells", options.cells, "Every cell_size of the files times this: --cells 0.5 is finer")
+      ->type_name("FACTOR")
+      ->check(CLI::PositiveNumber);
   verb.add_flag("--yes", options.yes, "Allow a study of more than a million jobs");
 }
 
 Study read_study(const std::string& path, const StudyOptions& options) {
   ReadOptions read;
+  read.cells = options.cells;
   if (options.yes) read.most_jobs = std::numeric_limits<std::uint64_t>::max();
   for (const std::string& text : options.set) {
     const auto equals = text.find('=');

@@ -19,9 +19,10 @@ inline constexpr int exit_usage = 2;          ///< usage or invalid study; nothi
 inline constexpr int exit_stopped = 75;       ///< stopped with work left: run again to go on
 inline constexpr int exit_interrupted = 130;  ///< by Ctrl-C
 
-/// --set KEY=VALUE, --yes: what a verb that reads studies offers.
+/// --set KEY=VALUE, --cells FACTOR, --yes: what a verb that reads studies offers.
 struct StudyOptions {
   std::vector<std::string> set;
+  double cells = 1;
   bool yes = false;
 };
 void add_study_options(CLI::App& verb, StudyOptions&);

@@ -153,8 +153,10 @@ void print_text(const Study& study, const Plan& plan, const Speed& speed, int wo
     fmt::print("At most, if no ladder ends early: {} jobs, {} of CPU, {} on -j {}\n", all.size(),
                duration(cpu_seconds(all)), duration(wall_seconds(all, workers)), workers);
   if (study.search)
-    fmt::print("Search for the smallest {} with outcome {}: the jobs above are its first, at the lower end\n",
-               study.search->critical, study.search->outcome);
+    fmt::print(
+        "Search for the smallest {} with outcome {}: the jobs above, at its lower end, stand for the points "
+        "at which `run` looks for it\n",
+        study.search->critical, study.search->outcome);
   print_defaults(study, plan);
 }
 

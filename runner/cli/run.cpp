@@ -15,6 +15,7 @@
 #include <set>
 #include <string_view>
 
+#include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
@@ -22,6 +23,7 @@
 #include "runner/cli/amounts.hpp"
 #include "runner/cli/run_slurm.hpp"
 #include "runner/exec/git_revision.hpp"
+#include "runner/exec/run_search.hpp"
 #include "runner/exec/run_studies.hpp"
 #include "runner/exec/signals.hpp"
 #include "runner/status/label.hpp"
@@ -90,6 +92,10 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
   for (const auto& job : jobs)
     fmt::print("{}  {} particles, {} steps, {}  {}\n", short_key(job.key), job.estimate.particles,
                job.estimate.steps, readable_duration(job.predicted_seconds), label_of(job.scene, swept));
+  for (const auto& study : studies)
+    if (study.search)
+      fmt::print("{}: a search at {}; which jobs it runs depends on what it finds\n", study.name,
+                 counted(static_cast<std::int64_t>(study.scenes.size()), "point"));
   fmt::print("{} would run, about {} of one core; {} done, {} failed and would be left\n",
              counted(static_cast<std::int64_t>(jobs.size()), "job"), readable_duration(seconds), kept["done"],
              kept["failed"]);
@@ -141,6 +147,55 @@ StudySource source_of(const Study& study, const StudyOptions& options) {
   return {std::filesystem::absolute(study.path).lexically_normal().string(), options.set};
 }
 
+/// "5 %", "5%" or "0.05". Throws StudyError.
+double share_of(const std::string& text) {
+  std::size_t end = 0;
+  double share = -1;
+  try {
+    share = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  std::string rest = text.substr(std::min(end, text.size()));
+  std::erase(rest, ' ');
+  if (rest == "%") share /= 100;
+  if (end == 0 || (!rest.empty() && rest != "%") || !(share >= 0 && share <= 1))
+    throw StudyError("--audit: " + text + ": not a share; write for example --audit \"5 %\"");
+  return share;
+}
+
+/// The brackets of a search, a line each, and what its audit found.
+void print_search(const Study& study, const SearchReport& search) {
+  const mpm::Quantity* critical = mpm::find_quantity(study.search->critical);
+  std::vector<std::string> swept = study.swept;
+  for (const FoundBracket& b : search.brackets) {
+    const std::string found =
+        b.lower ? fmt::format("{:g} to {:g} {}", *b.lower, *b.upper, critical->unit) : "not found";
+    fmt::print("{}  {} {}  ({} runs){}\n", label_of(b.point.scene, swept), critical->name, found, b.runs,
+               b.flags.empty() ? "" : "; " + b.flags);
+  }
+  const Audit& audit = search.audit;
+  if (audit.audited == 0) return;
+  fmt::print("audit: {} of {} early stops run to their end, {} of them false\n", audit.audited, audit.early,
+             audit.disagreeing.size());
+  for (const std::string& key : audit.disagreeing) fmt::print("  false stop: {}\n", short_key(key));
+}
+
+/// A job array a study. A search is a conversation with its results: it is not for a queue.
+int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
+                   const std::vector<PlannedStudy>& planned, const RunSeams& seams) {
+  int code = exit_ok;
+  auto next = planned.begin();
+  for (const auto& study : studies)
+    if (study.search) {
+      fmt::print(stderr, "{}: a [search] is run here, not by Slurm; leave out --engine slurm\n", study.name);
+      code = std::max(code, exit_stopped);
+    } else {
+      code = std::max(code, run_on_slurm(options, study, *next++, seams));
+    }
+  return code;
+}
+
 }  // namespace
 
 void setup_run(CLI::App& app, RunSeams given) {
@@ -177,6 +232,11 @@ void setup_run(CLI::App& app, RunSeams given) {
   auto* quiet = verb.add_flag("-q,--quiet", options->quiet, "Failures and the summary only");
   verb.add_flag("-v,--verbose", options->verbose, "Lines instead of a live display, and more of them")
       ->excludes(quiet);
+  verb.add_option(
+          "--audit", options->audit,
+          "Of the runs of a [search] that stopped when decided, run this share to the end and compare")
+      ->type_name("\"5 %\"")
+      ->capture_default_str();
   add_study_options(verb, options->study);
   add_results_option(verb, options->results);
   verb.callback([options, seams] { finish(run_run(*options, *seams)); });
@@ -188,19 +248,12 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   check_names(studies);
   const double rate = measured_updates_per_second(options.results).value_or(assumed_updates_per_second);
   std::vector<PlannedStudy> planned;
-  for (const auto& study : studies) {
-    planned.push_back({make_plan(study, rate), study.title, source_of(study, options.study)});
-    if (study.search)
-      fmt::print(stderr, "{}: [search] is not carried out yet, only its jobs at the lower end are run\n",
-                 study.name);
-  }
+  for (const auto& study : studies)
+    if (!study.search)
+      planned.push_back({make_plan(study, rate), study.title, source_of(study, options.study)});
+  const double audit = share_of(options.audit);
   if (!options.only.empty()) keep_only(options.only, planned);
-  if (options.engine == "slurm") {
-    int code = exit_ok;
-    for (std::size_t i = 0; i < studies.size(); ++i)
-      code = std::max(code, run_on_slurm(options, studies[i], planned[i], seams));
-    return code;
-  }
+  if (options.engine == "slurm") return submit_studies(options, studies, planned, seams);
   if (options.dry_run) return print_intent(options, studies, planned);
 
   const ExecutorOptions executor = executor_options(options);
@@ -211,8 +264,18 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   const auto status = make_status(options, studies);
   RunReport report;
   try {
-    report = run_studies(planned, options.retry_failed, writer, *status, seams.simulate, seams.write_snapshot,
-                         signal_flag(), executor);
+    if (!planned.empty())
+      report = run_studies(planned, options.retry_failed, writer, *status, seams.simulate,
+                           seams.write_snapshot, signal_flag(), executor);
+    for (const auto& study : studies) {
+      if (!study.search || report.left() > 0) continue;
+      const SearchReport search = run_search(study, {rate, options.retry_failed, audit}, writer, *status,
+                                             seams.simulate, seams.write_snapshot, signal_flag(), executor);
+      report.executed.failed += search.run.executed.failed;
+      report.executed.untouched += search.run.left();
+      report.signal = search.run.signal;
+      if (search.run.left() == 0) print_search(study, search);
+    }
   } catch (const CatalogError& error) {  // on the way, so there is work left
     fmt::print(stderr, "{}\nrun again to go on\n", error.what());
     return exit_stopped;

@@ -37,6 +37,7 @@ struct RunOptions {
   std::string budget;   ///< wall time after which no job is started, "2 h"; "": none
   bool quiet = false;
   bool verbose = false;
+  std::string audit = "0 %";  ///< share of the early stops of a search that is run to the end
 };
 
 /// What follows when all jobs of a study are decided: fits, figures. It reads the catalog of `results`

@@ -97,7 +97,7 @@ class Executor {
   }
 
   void ask_for(const Job& job) {
-    const Claim claim = ledger_.claim(job.key);
+    const JobClaim claim = ledger_.claim(job.key);
     if (claim) return run_job(job, claim.crashes > 0 || options_.limits.memory > 0);
     if (claim.status == JobStatus::running) return queue_.put_off(&job, milliseconds(options_.look_again_s));
     std::lock_guard lock(mutex_);

@@ -11,7 +11,7 @@ class Ledger {
  public:
   virtual ~Ledger() = default;
   /// Asks to run a job; on record before this returns. A job whose process is gone is taken up.
-  virtual Claim claim(const std::string& key) = 0;
+  virtual JobClaim claim(const std::string& key) = 0;
   /// The job's own process, which this one had started, died; the job stays this one's. Gives back how often
   /// that has happened to it.
   virtual std::int64_t crashed(const std::string& key) = 0;

@@ -11,6 +11,7 @@
 #include "libmpm/io/vtkhdf.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "runner/finish/calibration.hpp"
+#include "runner/finish/fields.hpp"
 #include "runner/finish/fits.hpp"
 
 namespace mpmstudy {
@@ -20,21 +21,6 @@ namespace fs = std::filesystem;
 
 std::string footer_of(const StudyResults& results) {
   return fmt::format("catalog {}, physics version {}", results.fingerprint, mpm::physics_version);
-}
-
-/// The column of a snapshot that a study calls by this name.
-const std::vector<double>& field_of(const mpm::Snapshot& s, const std::string& name) {
-  const std::pair<const char*, const std::vector<double>*> columns[] = {
-      {"velocity_x", &s.velocity_x},     {"velocity_y", &s.velocity_y},
-      {"density", &s.density},           {"pressure", &s.pressure},
-      {"stress_xx", &s.stress_xx},       {"stress_yy", &s.stress_yy},
-      {"stress_xy", &s.stress_xy},       {"stress_zz", &s.stress_zz},
-      {"von_mises", &s.von_mises},       {"equivalent_plastic_strain", &s.equivalent_plastic_strain},
-      {"plastic_work", &s.plastic_work}, {"specific_internal_energy", &s.specific_internal_energy},
-      {"temperature", &s.temperature}};
-  for (const auto& [known, column] : columns)
-    if (name == known) return *column;
-  throw std::runtime_error("a snapshot has no field " + name);
 }
 
 bool draw_history(const Study& study, const StudyResults& results, const FigureRequest& request,
@@ -61,6 +47,23 @@ bool draw_history(const Study& study, const StudyResults& results, const FigureR
   return true;
 }
 
+/// Critical values for cells of size 0, and the curve through them if the study asks for one. One family
+/// only: a curve a figure.
+void add_extrapolated(const Study& study, const StudyResults& results, const FigureRequest& request,
+                      analysis::Plot& plot) {
+  const std::string y = "critical_speed_extrapolated";
+  for (const Group& group : group_jobs(study, results, request.x)) {
+    Column c = column_of(results, group, request.x, y);
+    if (c.x.empty()) continue;
+    const auto fit =
+        std::ranges::find_if(study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == y; });
+    if (!plot.fit && fit != study.fits.end())
+      plot.fit = analysis::fit_polynomial(*analysis::fit_model(fit->model), c.x, c.y);
+    plot.series.push_back(
+        {group.label + ", extrapolated to h = 0", std::move(c.x), std::move(c.y), std::move(c.y_error)});
+  }
+}
+
 bool draw_xy(const Study& study, const StudyResults& results, const FigureRequest& request,
              const fs::path& stem) {
   analysis::Plot plot;
@@ -81,6 +84,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
     plot.series.push_back({group.label.empty() ? "simulation" : group.label, std::move(c.x), std::move(c.y),
                            std::move(c.y_error)});
   }
+  if (request.y == "critical_speed") add_extrapolated(study, results, request, plot);
   if (plot.series.empty()) return false;
   draw(plot, stem);
   return true;
@@ -89,9 +93,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
 analysis::FieldPanel panel_of(const mpm::Snapshot& s, const std::string& field) {
   analysis::FieldPanel panel;
   panel.title = analysis::value_label(analysis::named_quantity("time"), s.time);
-  panel.particles = {s.x, s.y, {}, field_of(s, field)};
-  for (std::size_t p = 0; p < s.mass.size(); ++p)
-    panel.particles.size.push_back(std::sqrt(s.mass[p] / s.density[p]));
+  panel.particles = particles_of(s, field);
   return panel;
 }
 

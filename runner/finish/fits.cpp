@@ -41,6 +41,7 @@ Fits fit_study(const Study& study, const StudyResults& results) {
     const std::string_view x_unit = mpm::find_quantity(request.x)->unit;
     for (const Group& group : group_jobs(study, results, request.x)) {
       const Column c = column_of(results, group, request.x, request.y);
+      if (c.x.empty() && study.search) continue;  // extrapolated values stand on the finest cell alone
       const analysis::Fit fit = analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y);
       const std::string model = group.label.empty() ? request.model : request.model + ", " + group.label;
       if (!fit.ok()) {
@@ -49,9 +50,21 @@ Fits fit_study(const Study& study, const StudyResults& results) {
         continue;
       }
       for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
-        FitRow row{request.y,           request.x, model,  fmt::format("c{}", k),
-                   fit.coefficients[k], {},        fit.r2, coefficient_unit(y_unit, x_unit, k)};
+        FitRow row{request.y,
+                   request.x,
+                   model,
+                   fmt::format("c{}", k),
+                   fit.coefficients[k],
+                   {},
+                   fit.r2,
+                   coefficient_unit(y_unit, x_unit, k),
+                   {}};
         if (!fit.standard_errors.empty()) row.standard_error = fit.standard_errors[k];
+        if (!fit.covariance.empty()) {
+          const auto first =
+              fit.covariance.begin() + static_cast<std::ptrdiff_t>(k * fit.coefficients.size());
+          row.covariance.assign(first, first + static_cast<std::ptrdiff_t>(fit.coefficients.size()));
+        }
         fits.rows.push_back(std::move(row));
       }
     }

@@ -42,9 +42,36 @@ std::string label_of(const std::string& name, const mpm::Scene& scene) {
   return c ? std::string(c->allowed[c->get(scene)]) : name;
 }
 
+/// Of a study with [search]: one entry a bracket. The scene is that of the point.
+StudyResults read_brackets(const Study& study, const std::filesystem::path& folder) {
+  StudyResults results{study.name, folder, {}, study.scenes.size(), {}};
+  std::string drawn;
+  const SqlValue name = study.name;
+  const Rows rows = query(folder,
+                          "SELECT position, lower_m_s, upper_m_s, upper_key, extrapolated_m_s, interval_m_s "
+                          "FROM critical_speed WHERE study = ?1 ORDER BY position",
+                          std::span(&name, 1));
+  for (const auto& row : rows.rows) {
+    const auto position = static_cast<std::size_t>(std::get<std::int64_t>(row[0]));
+    if (position >= study.scenes.size()) continue;  // of an earlier form of the study
+    const double lower = number(row[1]).value_or(0), upper = number(row[2]).value_or(0);
+    JobResults job{std::get<std::string>(row[3]),
+                   study.scenes[position],
+                   Measured{0.5 * (lower + upper), 0.5 * (upper - lower)},
+                   {}};
+    if (const auto value = number(row[4])) job.extrapolated = Measured{*value, number(row[5])};
+    drawn += fmt::format("{} {:a} {:a} ", job.key, lower, upper);
+    results.done.push_back(std::move(job));
+    --results.missing;
+  }
+  results.fingerprint = fmt::format("{:016x}", XXH3_64bits(drawn.data(), drawn.size()));
+  return results;
+}
+
 }  // namespace
 
 StudyResults read_results(const Study& study, const std::filesystem::path& folder) {
+  if (study.search) return read_brackets(study, folder);
   StudyResults results{study.name, folder, {}, 0, {}};
   std::set<std::string> done;
   std::string drawn;
@@ -66,7 +93,7 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
       ++results.missing;
       continue;
     }
-    results.done.push_back({key, ladder.scenes[rung]});
+    results.done.push_back({key, ladder.scenes[rung], {}, {}});
     drawn += key;
   }
   for (const auto& row : rows.rows)
@@ -78,6 +105,8 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
 
 std::optional<Measured> result_of(const StudyResults& results, const JobResults& job,
                                   const std::string& name) {
+  if (name == "critical_speed") return job.critical;
+  if (name == "critical_speed_extrapolated") return job.extrapolated;
   Rows rows;
   if (is_job_column(name)) {
     std::string error = "NULL";
@@ -98,6 +127,7 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
 }
 
 std::string unit_of(const StudyResults& results, const std::string& name) {
+  if (name.starts_with("critical_speed")) return "m/s";
   if (is_job_column(name)) return name.ends_with("_m2") ? "m^2" : name.ends_with("_s") ? "s" : "1";
   const Rows rows = ask(results, "SELECT unit FROM metrics WHERE name = ?1 LIMIT 1", name);
   return rows.rows.empty() ? "1" : std::get<std::string>(rows.rows[0][0]);

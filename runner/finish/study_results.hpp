@@ -20,9 +20,13 @@ struct Measured {
 struct JobResults {
   std::string key;
   mpm::Scene scene;
+  std::optional<Measured>
+      critical;  ///< of a search: middle and half width of the bracket; key: its upper end
+  std::optional<Measured> extrapolated;  ///< ... for cells of size 0
 };
 
-/// The done jobs of a study, in the order of its sweep, and how many are not done.
+/// The done jobs of a study, in the order of its sweep, and how many are not done; of a study with [search],
+/// its brackets.
 struct StudyResults {
   std::string study;             ///< its name
   std::filesystem::path folder;  ///< the results folder
@@ -34,7 +38,8 @@ struct StudyResults {
 /// Throws CatalogError if there is no catalog.
 StudyResults read_results(const Study&, const std::filesystem::path& results);
 
-/// A result column of the view `jobs` or a name of the view `metrics`; empty where the job has none.
+/// A result column of the view `jobs`, a name of the view `metrics`, or `critical_speed` and
+/// `critical_speed_extrapolated` of a search; empty where the job has none.
 std::optional<Measured> result_of(const StudyResults&, const JobResults&, const std::string& name);
 /// SI unit of such a name: that of the metric, or what the column's name ends in.
 std::string unit_of(const StudyResults&, const std::string& name);

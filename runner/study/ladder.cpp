@@ -49,6 +49,7 @@ double coarsest_cell(const mpm::Scene& s) {
   constexpr double cells_a_radius = 4, cells_a_width = 8, cells_a_height = 64;
   switch (s.kind) {
     case mpm::SceneKind::cavity_impact:
+    case mpm::SceneKind::two_body_impact:
       return std::min(
           {s.cavity_radius / cells_a_radius, s.block_width / cells_a_width, s.block_height / cells_a_width});
     case mpm::SceneKind::planar_impact:
@@ -62,6 +63,7 @@ double coarsest_cell(const mpm::Scene& s) {
 std::string_view default_accuracy_of(mpm::SceneKind kind) {
   switch (kind) {
     case mpm::SceneKind::cavity_impact:
+    case mpm::SceneKind::two_body_impact:
       return "collapsibility";
     case mpm::SceneKind::planar_impact:
       return "free_surface_speed_m_s";

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "runner/study/combine.hpp"
@@ -129,10 +131,25 @@ class Reader {
       axis = read_axis(*choice, entry, problems_);
     }
     if (!axis) return;
+    if (entry.key == "cell_size" && options_.cells != 1) scale_cells(*axis);
     if (!axis->swept && entry.place.line > 0) fixed_.push_back(entry.key);
     study_.given.push_back(entry.key);
     study_.places.push_back(entry.value.place.text());
     request_.axes.push_back(std::move(*axis));
+  }
+
+  /// --cells: to 12 digits, as a file would say it.
+  void scale_cells(Axis& axis) const {
+    const auto scaled = [this](double value) {
+      return std::stod(fmt::format("{:.12g}", value * options_.cells));
+    };
+    if (axis.interval) {
+      axis.interval->from = scaled(axis.interval->from);
+      axis.interval->to = scaled(axis.interval->to);
+      axis.interval->from_text = fmt::format("{:.12g}", axis.interval->from);
+      axis.interval->to_text = fmt::format("{:.12g}", axis.interval->to);
+    }
+    for (Point& point : axis.points) point.value = scaled(point.value);
   }
 
   void read_snapshots() {
@@ -180,6 +197,7 @@ class Reader {
                     {"is looked for and given", "remove " + name + " from the file, or [search]"});
       return;
     }
+    request_.seeks_ejection = study_.search->outcome == "ejected" || study_.search->outcome == "arrested";
     Axis axis;
     axis.quantity = mpm::find_quantity(name);
     axis.place = axis.value_place = search.find("critical")->value.place;

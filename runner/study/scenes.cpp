@@ -12,6 +12,9 @@ namespace {
 /// The period of the area history where a study says nothing, as a share of end_time.
 constexpr double default_area_samples = 320;
 
+/// How long a part must be off the body, where a study says nothing, as a share of end_time: 1 ns of 16 ns.
+constexpr double default_detached = 16;
+
 /// After so many jobs with problems the rest would tell a user nothing new.
 constexpr int most_bad_jobs = 20;
 
@@ -47,6 +50,10 @@ mpm::Scene base_scene(const SceneRequest& request) {
   scene.material = request.material;
   scene.numerics = mpm::default_numerics(request.kind);
   for (const Point& snapshot : request.snapshots) scene.measures.snapshots.push_back(snapshot.value);
+  if (request.seeks_ejection) {
+    scene.measures.decides = mpm::Decides::ejection;
+    scene.measures.stop = mpm::Stop::decided;
+  }
   auto& times = scene.measures.snapshots;
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
@@ -154,6 +161,7 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
     if (!names_kernel && !mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
     if (request.ladder.finds_cell) scene.numerics.cell_size = coarsest_cell(scene);
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
+    if (scene.measures.detached_for == 0) scene.measures.detached_for = scene.end_time / default_detached;
     bad_jobs += reporter.check(scene, job);
   }
   return scenes;

@@ -17,6 +17,8 @@ struct SceneRequest {
   mpm::Material material;
   std::vector<Axis> axes;        ///< in the order of the file
   std::vector<Point> snapshots;  ///< [s]
+  bool seeks_ejection =
+      false;  ///< of a [search]: runs decide ejection and end then, unless the file says more
   LadderRequest ladder;
   Place ladder_place;  ///< of its key
   Place place;         ///< of `scene`, for problems with values that the file does not name

@@ -77,7 +77,8 @@ struct Study {
 
 struct ReadOptions {
   std::vector<std::pair<std::string, std::string>> set;  ///< --set key=value, over the file
-  std::uint64_t most_jobs = 1'000'000;                   ///< more is a StudyError that names --yes
+  double cells = 1;  ///< every cell_size of the file times this: a whole set of studies, coarser or finer
+  std::uint64_t most_jobs = 1'000'000;  ///< more is a StudyError that names --yes
 };
 
 /// Throws StudyError; collects every problem of the file into one message, a line each.

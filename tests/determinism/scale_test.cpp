@@ -10,7 +10,7 @@ namespace {
 
 void scale(mpm::Scene& s, double k) {
   for (double* v : {&s.block_width, &s.block_height, &s.cavity_radius, &s.cavity_center_height, &s.end_time,
-                    &s.numerics.cell_size, &s.measures.area_every})
+                    &s.numerics.cell_size, &s.measures.area_every, &s.measures.detached_for})
     *v *= k;
 }
 
@@ -32,7 +32,7 @@ void expect_scaled_bits(mpm::Scene s, double k) {
   ASSERT_EQ(large.metrics.size(), small.metrics.size());
   for (std::size_t i = 0; i < small.metrics.size(); ++i) {
     const mpm::Metric& m = small.metrics[i];
-    const double factor = m.unit == "m" || m.unit == "s" ? k : m.unit == "m2" ? k * k : 1;
+    const double factor = m.unit == "m" || m.unit == "s" ? k : m.unit == "m2" || m.unit == "kg/m" ? k * k : 1;
     EXPECT_EQ(large.metrics[i].value, factor * m.value) << m.name;
   }
 }
@@ -43,6 +43,18 @@ TEST(Scale, StrongCollapse) {
   mpm::Scene s = scenes::cavity(0.2e-6);
   s.impact_speed = 1120;
   s.end_time = 0.5e-9;  // before the jet, whose pressure is beyond the equation of state
+  expect_scaled_bits(s, 1024);
+}
+
+TEST(Scale, Ejection) {
+  mpm::Scene s = scenes::cavity(0.3e-6);
+  s.impact_speed = 900;
+  s.block_height = 6e-6;
+  s.cavity_center_height = 4e-6;  // a wall of half a micrometre
+  s.end_time = 8e-9;
+  s.measures.detached_for = 1e-9;
+  s.measures.decides = mpm::Decides::ejection;
+  ASSERT_EQ(mpm::run(s).outcome, "ejected");
   expect_scaled_bits(s, 1024);
 }
 

@@ -63,10 +63,12 @@ TEST_F(Views, jobs) {
 TEST_F(Views, others) {
   EXPECT_EQ(columns("metrics"), (Names{"key", "name", "value", "unit", "error"}));
   EXPECT_EQ(columns("area_history"), (Names{"key", "time_s", "area_m2", "void_area_m2"}));
-  EXPECT_EQ(columns("critical_speed"), (Names{"study", "wall_thickness_m", "lower_m_s", "upper_m_s",
-                                              "lower_key", "upper_key", "cell_size_m"}));
+  EXPECT_EQ(columns("critical_speed"),
+            (Names{"study", "wall_thickness_m", "lower_m_s", "upper_m_s", "lower_key", "upper_key",
+                   "cell_size_m", "extrapolated_m_s", "interval_m_s", "flags", "runs", "position"}));
+  EXPECT_EQ(columns("claims"), (Names{"name", "sentence", "verdict", "measured", "note", "study"}));
   EXPECT_EQ(columns("fits"), (Names{"study", "quantity", "model", "coefficient", "value", "standard_error",
-                                    "r2", "unit", "against"}));
+                                    "r2", "unit", "against", "covariance"}));
   EXPECT_EQ(columns("snapshots"), (Names{"key", "time_s", "path", "bytes", "checksum", "step"}));
   EXPECT_EQ(columns("events"),
             (Names{"key", "from_status", "to_status", "at", "by", "attempt", "reason", "id"}));
@@ -84,7 +86,7 @@ TEST_F(Views, every_column_is_documented) {
   std::stringstream text;
   text << file.rdbuf();
   for (const char* view : {"jobs", "metrics", "area_history", "critical_speed", "fits", "snapshots", "events",
-                           "studies", "accuracy", "ladders"})
+                           "studies", "accuracy", "ladders", "claims"})
     for (const auto& column : columns(view))
       EXPECT_NE(text.str().find("`" + column + "`"), std::string::npos) << view << "." << column;
 }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 class MemoryLedger : public Ledger {
  public:
-  Claim claim(const std::string& key) override {
+  JobClaim claim(const std::string& key) override {
     std::lock_guard lock(mutex);
     if (refuse == key) return {false, refusals-- > 0 ? JobStatus::running : JobStatus::done};
     claimed.push_back(key);

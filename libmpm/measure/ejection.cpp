@@ -1,0 +1,141 @@
+#include "libmpm/measure/ejection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "libmpm/measure/connected.hpp"
+
+namespace mpm {
+namespace {
+
+constexpr double least_share = 0.01;    ///< of the wall's mass that counts as ejected
+constexpr double watched_share = 0.05;  ///< of the wall's mass whose speed tells of arrest
+
+/// One connected part, as it is modelled.
+struct Part {
+  double mass = 0, momentum = 0;  ///< along the impact
+  double mass_apart = 0;          ///< of particles that have been apart long enough
+  bool on_axis = false;           ///< joined to its image in half a scene
+  double moment = 0;              ///< mass times height
+  double left = 0, right = 0;     ///< where it reaches from and to
+};
+
+/// Of the part with this number, the largest height between left and right.
+double highest_between(const Particles& ps, const ConnectedParts& connected, int number, double left,
+                       double right) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    const Vec2& x = ps.position[p];
+    if (connected.part[p] == number && x.x() >= left && x.x() <= right) highest = std::max(highest, x.y());
+  }
+  return highest;
+}
+
+}  // namespace
+
+Ejection::Ejection(const Scene& s, const State& state)
+    : speed_(s.impact_speed),
+      radius_(s.cavity_radius),
+      link_(state.grid.cell().minCoeff()),
+      wall_mass_(2 * s.cavity_radius * (s.block_height - s.cavity_center_height - s.cavity_radius) *
+                 s.material.reference_density),
+      hold_(s.measures.detached_for),
+      arrival_(s.block_height / s.material.bulk_sound_speed + s.cavity_radius / s.impact_speed),
+      half_(s.numerics.symmetry == Symmetry::half),
+      stop_early_(s.measures.stop == Stop::decided),
+      apart_since_(state.particles.size(), -1) {}
+
+void Ejection::sample(const State& s) {
+  find_ejecta(s);
+  if (verdict_ == Verdict::undecided) find_arrest(s);
+}
+
+void Ejection::find_ejecta(const State& s) {
+  const Particles& ps = s.particles;
+  const ConnectedParts connected = connected_parts(ps.position, link_);
+  std::vector<Part> parts(static_cast<std::size_t>(connected.count));
+  const auto part_of = [&](std::size_t p) { return static_cast<std::size_t>(connected.part[p]); };
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    Part& part = parts[part_of(p)];
+    const Vec2& x = ps.position[p];
+    part.left = part.mass == 0 ? x.x() : std::min(part.left, x.x());
+    part.right = part.mass == 0 ? x.x() : std::max(part.right, x.x());
+    part.moment += ps.mass[p] * x.y();
+    part.mass += ps.mass[p];
+    part.momentum += ps.mass[p] * ps.velocity[p].y();
+    part.on_axis |= half_ && x.x() < 0.5 * link_;
+  }
+  const auto body = static_cast<std::size_t>(
+      std::max_element(parts.begin(), parts.end(),
+                       [](const Part& a, const Part& b) { return a.mass < b.mass; }) -
+      parts.begin());
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    double& since = apart_since_[p];
+    if (part_of(p) == body)
+      since = -1;
+    else if (since < 0)
+      since = s.time;
+    if (since >= 0 && s.time - since >= hold_) parts[part_of(p)].mass_apart += ps.mass[p];
+  }
+  ejected_mass_ = ejected_momentum_ = 0;
+  double fastest = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Part& part = parts[k];
+    const double whole = part.on_axis ? 2 : 1;
+    const double speed = part.momentum / part.mass;
+    if (k == body || whole * part.mass_apart < least_share * wall_mass_ || speed <= speed_) continue;
+    if (part.moment / part.mass <=
+        highest_between(ps, connected, static_cast<int>(body), part.left, part.right))
+      continue;  // inside: debris in a cavity
+    ejected_mass_ += (half_ ? 2 : 1) * part.mass;
+    ejected_momentum_ += (half_ ? 2 : 1) * part.momentum;
+    fastest = std::max(fastest, speed);
+  }
+  if (ejected_mass_ > 0) decide(Verdict::ejected, s.time, fastest / speed_ - 1);
+}
+
+void Ejection::find_arrest(const State& s) {
+  if (s.time < arrival_) return;
+  const Particles& ps = s.particles;
+  std::vector<std::pair<double, double>> risers;  // speed, mass
+  for (std::size_t p = 0; p < ps.size(); ++p)
+    if (std::abs(ps.position[p].x()) < radius_ && ps.velocity[p].y() > 0)
+      risers.emplace_back(ps.velocity[p].y(), (half_ ? 2 : 1) * ps.mass[p]);
+  std::ranges::sort(risers, std::greater<>());
+  double mass = 0, speed = 0;
+  for (const auto& [v, m] : risers) {
+    speed = v;
+    if ((mass += m) >= watched_share * wall_mass_) break;
+  }
+  if (speed >= speed_)
+    slow_since_ = -1;
+  else if (slow_since_ < 0)
+    slow_since_ = s.time;
+  if (slow_since_ >= 0 && s.time - slow_since_ >= hold_)
+    decide(Verdict::arrested, s.time, speed / speed_ - 1);
+}
+
+/// The first verdict stands, but for material that comes off after an arrest.
+void Ejection::decide(Verdict verdict, double time, double margin) {
+  if (verdict_ == verdict) return;
+  verdict_ = verdict;
+  decision_time_ = time;
+  margin_ = margin;
+}
+
+void Ejection::finish(const State&, RunResult& result) {
+  result.outcome = verdict_ == Verdict::ejected    ? "ejected"
+                   : verdict_ == Verdict::arrested ? "arrested"
+                                                   : "undecided";
+  auto& m = result.metrics;
+  m.push_back({"ejected_mass_kg_m", ejected_mass_, "kg/m", {}});
+  if (ejected_mass_ > 0) m.push_back({"ejecta_speed_m_s", ejected_momentum_ / ejected_mass_, "m/s", {}});
+  if (verdict_ == Verdict::undecided) return;
+  m.push_back({"decision_time_s", decision_time_, "s", {}});
+  m.push_back({"decision_margin", margin_, "1", {}});
+}
+
+}  // namespace mpm

@@ -1,0 +1,57 @@
+#include "libmpm/measure/jet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mpm {
+
+Jet::Jet(const Scene& s)
+    : impact_speed_(s.impact_speed),
+      side_(s.block_width / 2 - 2 * s.numerics.cell_size),
+      cell_(s.numerics.cell_size) {}
+
+double Jet::shock_height(const State& s) const {
+  const Particles& ps = s.particles;
+  double shocked = -std::numeric_limits<double>::infinity(), highest = shocked;
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    if (std::abs(ps.position[p].x()) < side_) continue;
+    const double y = ps.position[p].y();
+    highest = std::max(highest, y);
+    if (ps.velocity[p].y() > -0.5 * impact_speed_) shocked = std::max(shocked, y);
+  }
+  return highest - shocked < cell_ ? std::numeric_limits<double>::infinity() : shocked;
+}
+
+void Jet::sample(const State& s, const Contour& contour) {
+  if (impact_time_ >= 0) return;
+  const double tip = contour.upstream_pole().y(), gap = contour.downstream_pole().y() - tip;
+  const double shock = shock_height(s);
+  const double lead = tip - shock;
+  if (time_ >= 0) {
+    const double step = s.time - time_;
+    if (gap < cell_) impact_time_ = time_ + step * (gap_ - cell_) / (gap_ - gap);
+    speed_ = std::max(speed_, (tip - tip_) / step + impact_speed_);
+    if (passed_ && std::isfinite(lead)) {
+      if (lead > 0 && overtake_time_ < 0)
+        overtake_time_ = std::isfinite(lead_) && lead_ < 0 ? time_ + step * lead_ / (lead_ - lead) : s.time;
+      most_lead_ = led_ ? std::max(most_lead_, lead) : lead;
+      led_ = true;
+    }
+  }
+  passed_ |= lead <= 0;
+  time_ = s.time;
+  tip_ = tip;
+  gap_ = gap;
+  lead_ = lead;
+}
+
+void Jet::finish(RunResult& result) const {
+  auto& m = result.metrics;
+  m.push_back({"jet_speed_m_s", speed_, "m/s", {}});
+  if (led_) m.push_back({"jet_lead_m", most_lead_, "m", {}});
+  if (impact_time_ >= 0) m.push_back({"jet_impact_time_s", impact_time_, "s", {}});
+  if (overtake_time_ >= 0) m.push_back({"jet_overtake_time_s", overtake_time_, "s", {}});
+}
+
+}  // namespace mpm

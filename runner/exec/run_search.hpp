@@ -1,0 +1,33 @@
+#pragma once
+/// A study with [search], against a catalog: rounds of jobs until every critical value is bracketed.
+#include "runner/exec/run_studies.hpp"
+#include "runner/search/search.hpp"
+
+namespace mpmstudy {
+
+struct SearchOptions {
+  double updates_per_second = assumed_updates_per_second;  ///< for predictions
+  bool retry_failed = false;
+  double audit = 0;  ///< share of the runs that ended early which are run to their end, 0 ... 1
+};
+
+/// What an audit of early stops found.
+struct Audit {
+  std::int64_t early = 0;                ///< runs that were to stop when decided
+  std::int64_t audited = 0;              ///< of them, run to the end
+  std::vector<std::string> disagreeing;  ///< keys of those whose whole run says something else
+};
+
+struct SearchReport {
+  RunReport run;  ///< of all rounds
+  std::vector<FoundBracket> brackets;
+  Audit audit;
+};
+
+/// Every job of the search becomes one of the study's; brackets go to the view critical_speed once the search
+/// has ended. Jobs that are done are not run again: a search that was stopped goes on, and ends with the same
+/// brackets. The runs of an audit belong to the study NAME-audit. Throws CatalogError.
+SearchReport run_search(const Study&, const SearchOptions&, CatalogWriter&, Status&, const Simulate&,
+                        const WriteSnapshot&, StopFlag&, const ExecutorOptions&);
+
+}  // namespace mpmstudy

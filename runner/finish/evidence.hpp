@@ -1,0 +1,37 @@
+#pragma once
+/// What claims ask of a catalog: numbers of the done jobs of one study.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runner/catalog/query.hpp"
+
+namespace mpmstudy {
+
+/// Where plastic work is largest in a snapshot.
+struct HotSpot {
+  double time = 0;        ///< [s]
+  double x = 0, y = 0;    ///< mass centre of the hottest thousandth [m]; x of the right half
+  double centroid_y = 0;  ///< of the whole body [m]
+};
+
+class Evidence {
+ public:
+  explicit Evidence(std::filesystem::path results) : results_(std::move(results)) {}
+
+  /// One number: the first column of the first row. ?1 is the study. Empty: no row, or null.
+  std::optional<double> number(const std::string& study, const std::string& sql) const;
+  std::optional<std::string> text(const std::string& study, const std::string& sql) const;
+  std::vector<double> numbers(const std::string& study, const std::string& sql) const;
+  /// A metric of the study's first done job.
+  std::optional<double> metric(const std::string& study, const std::string& name) const;
+  /// Of the study's first done job, one a snapshot, in order of time.
+  std::vector<HotSpot> hot_spots(const std::string& study) const;
+
+ private:
+  Rows ask(const std::string& study, const std::string& sql) const;
+  std::filesystem::path results_;
+};
+
+}  // namespace mpmstudy

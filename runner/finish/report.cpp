@@ -1,0 +1,201 @@
+#include "runner/finish/report.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "analysis/page.hpp"
+#include "analysis/raster.hpp"
+#include "analysis/units.hpp"
+#include "libmpm/io/vtkhdf.hpp"
+#include "libmpm/scene/parameters.hpp"
+#include "runner/catalog/query.hpp"
+#include "runner/exec/git_revision.hpp"
+#include "runner/finish/fields.hpp"
+#include "runner/finish/figures.hpp"
+#include "runner/finish/study_results.hpp"
+
+namespace mpmstudy {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string shown(const SqlValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return fmt::format("{:.6g}", *real);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return std::to_string(*integer);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return "";
+}
+
+/// A table of what the catalog answers; empty rows: nothing to show.
+analysis::PageTable table_of(const fs::path& results, const std::string& caption, const std::string& sql,
+                             const std::string& study) {
+  const SqlValue name = study;
+  const Rows rows = query(results, sql, std::span(&name, 1));
+  analysis::PageTable table{caption, rows.names, {}};
+  for (const auto& row : rows.rows) {
+    std::vector<std::string> cells;
+    for (const auto& value : row) cells.push_back(shown(value));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+/// The comment at the head of a study file: the reading that it rests on.
+std::string reading_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::string text, line;
+  while (std::getline(in, line) && line.starts_with("#")) {
+    line.erase(0, std::min<std::size_t>(line.size(), line.starts_with("# ") ? 2 : 1));
+    text += line.empty() ? "\n\n" : (text.empty() || text.ends_with('\n') ? "" : " ") + line;
+  }
+  return text;
+}
+
+std::string columns_of(const std::vector<std::string>& swept) {
+  std::string columns;
+  for (const std::string& name : swept) {
+    const mpm::Quantity* q = mpm::find_quantity(name);
+    const mpm::Choice* c = mpm::find_choice(name);
+    if (q || c) columns += std::string(q ? q->column : c->column) + ", ";
+  }
+  return columns;
+}
+
+/// Snapshots of a job as images of one scale.
+analysis::PageAnimation animation_of(const StudyResults& results, const JobResults& job,
+                                     const std::string& field, const std::string& title) {
+  constexpr int width = 180;
+  analysis::PageAnimation animation;
+  std::vector<analysis::Particles> frames;
+  std::vector<double> values;
+  for (const fs::path& file : snapshots_of(results, job)) {
+    const mpm::Snapshot s = mpm::read_vtkhdf(file);
+    frames.push_back(particles_of(s, field));
+    animation.captions.push_back(fmt::format("t = {:.2f} ns", s.time * 1e9));
+    values.insert(values.end(), frames.back().value.begin(), frames.back().value.end());
+  }
+  if (frames.size() < 3) return {};
+  const bool mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
+  std::vector<const analysis::Particles*> all;
+  for (const auto& frame : frames) all.push_back(&frame);
+  const analysis::Window window = analysis::window_of(all, mirrored);
+  std::ranges::sort(values);
+  const double low = std::min(0.0, values[values.size() / 200]),
+               high = values[values.size() - 1 - values.size() / 200];
+  animation.title = title;
+  animation.columns = width;
+  animation.rows = std::max(1, static_cast<int>(std::lround(width * window.height() / window.width())));
+  for (const auto& frame : frames) {
+    const analysis::Raster raster =
+        analysis::rasterise(frame, mirrored, window, animation.columns, animation.rows);
+    std::vector<std::uint8_t> pixels;
+    for (int j = raster.rows - 1; j >= 0; --j)
+      for (int i = 0; i < raster.columns; ++i) {
+        const double v = raster.values[static_cast<std::size_t>(j * raster.columns + i)];
+        const double share = high > low ? (v - low) / (high - low) : 0;
+        pixels.push_back(std::isnan(v)
+                             ? 0
+                             : static_cast<std::uint8_t>(1 + std::lround(254 * std::clamp(share, 0.0, 1.0))));
+      }
+    animation.frames.push_back(std::move(pixels));
+  }
+  const analysis::Quantity quantity = analysis::named_quantity(field);
+  const analysis::DisplayUnit unit =
+      analysis::display_unit(quantity.unit, std::max(std::abs(low), std::abs(high)));
+  animation.low = fmt::format("{:.3g}", low * unit.factor);
+  animation.high = fmt::format("{:.3g} {}", high * unit.factor, unit.text);
+  return animation;
+}
+
+analysis::PageSection section_of(const Study& study, const fs::path& folder) {
+  analysis::PageSection section{study.name, study.title, reading_of(study.path), {}, {}, {}};
+  const StudyResults results = read_results(study, folder);
+  if (results.missing > 0)
+    section.text +=
+        fmt::format("\n\nNot complete: {} of {} are missing.", results.missing, study.scenes.size());
+  for (const fs::path& png : draw_figures(study, results)) {
+    fs::path svg = png;
+    svg.replace_extension(".svg");
+    // Curves are small and sharp as SVG; fields are pixels.
+    const bool curves = fs::file_size(svg) < 200'000;
+    section.images.push_back({curves ? svg : png, png.stem().string()});
+  }
+  for (const FigureRequest& figure : study.figures) {
+    if (figure.kind != "fields") continue;
+    for (const JobResults& job : results.done)
+      if (auto animation = animation_of(results, job, figure.y, figure.title); !animation.frames.empty())
+        section.animations.push_back(std::move(animation));
+  }
+  const auto add = [&](const std::string& caption, const std::string& sql) {
+    if (auto table = table_of(folder, caption, sql, study.name); !table.rows.empty())
+      section.tables.push_back(std::move(table));
+  };
+  if (study.search)
+    add("Brackets",
+        "SELECT wall_thickness_m, cell_size_m, lower_m_s, upper_m_s, extrapolated_m_s, interval_m_s, runs, "
+        "flags, "
+        "substr(lower_key, 1, 12) AS lower_job, substr(upper_key, 1, 12) AS upper_job FROM critical_speed "
+        "WHERE study = ?1 ORDER BY position");
+  else
+    add("Jobs",
+        "SELECT " + columns_of(study.swept) +
+            "status, outcome, collapsibility, collapsibility_error, energy_error, particles, steps, cpu_s, "
+            "substr(key, 1, 12) AS job FROM jobs WHERE study = ?1 ORDER BY position");
+  add("Fits",
+      "SELECT quantity, against, model, coefficient, value, standard_error, r2, unit FROM fits WHERE study = "
+      "?1");
+  if (!study.search)
+    add("Measured",
+        "SELECT substr(j.key, 1, 12) AS job, m.name, m.value, m.error, m.unit FROM jobs j JOIN metrics m "
+        "USING "
+        "(key) WHERE j.study = ?1 ORDER BY j.position, m.name");
+  return section;
+}
+
+}  // namespace
+
+std::string report_page(const std::vector<Study>& studies, const fs::path& folder,
+                        const std::vector<Claim>& claims) {
+  analysis::Page page;
+  page.title = "Cavity collapse under shock: the paper, reproduced";
+  page.subtitle =
+      "A. Xu, X. F. Pan, G. Zhang, J. Zhu, J. Phys.: Condens. Matter 19 (2007) 326212, held against mpmstudy";
+  analysis::PageSection judged{
+      "claims",
+      "Claims",
+      "What the paper says of its results, and what was measured here. The paper gives no "
+      "height of its blocks, no cell, no viscosity and no list of yield stresses: each study says "
+      "which reading it rests on.",
+      {},
+      {},
+      {}};
+  analysis::PageTable table{"", {"paper", "verdict", "measured", "on what it rests", "study"}, {}};
+  for (const Claim& c : claims) table.rows.push_back({c.sentence, c.verdict, c.measured, c.note, c.study});
+  judged.tables.push_back(std::move(table));
+  page.sections.push_back(std::move(judged));
+
+  std::string fingerprints;
+  for (const Study& study : studies) {
+    page.sections.push_back(section_of(study, folder));
+    fingerprints += read_results(study, folder).fingerprint;
+  }
+  analysis::PageSection costs{"costs", "Costs", "", {}, {}, {}};
+  costs.tables.push_back(table_of(
+      folder, "Time on a processor, by study",
+      "SELECT study, count(*) AS jobs, sum(cpu_s) AS cpu_s, sum(CAST(particles AS REAL) * steps) AS "
+      "particle_updates, avg(particle_updates_per_s) AS particle_updates_per_s, max(energy_error) AS "
+      "largest_energy_error FROM jobs WHERE study IS NOT NULL AND status = 'done' AND ?1 IS NOT "
+      "NULL GROUP BY study ORDER BY study",
+      "all"));
+  page.sections.push_back(std::move(costs));
+  page.footer = fmt::format("catalog {:016x}, physics version {}, commit {}",
+                            XXH3_64bits(fingerprints.data(), fingerprints.size()), mpm::physics_version,
+                            git_revision());
+  return analysis::html_of(page);
+}
+
+}  // namespace mpmstudy

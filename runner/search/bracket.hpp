@@ -1,0 +1,64 @@
+#pragma once
+/// The search for one critical value on a lattice. Pure: it is told verdicts and says what to try next.
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mpmstudy {
+
+/// Equally spaced values from lower to upper, no farther apart than the tolerance. Every search of a study
+/// tries these values only: searches that come together ask for the same jobs.
+struct Lattice {
+  double lower = 0, upper = 0;
+  int intervals = 1;
+
+  Lattice() = default;
+  Lattice(double lower, double upper, double tolerance);
+  double value(int i) const { return lower + (upper - lower) * i / intervals; }
+  /// The nearest index, inside the lattice.
+  int index(double value) const;
+};
+
+/// What a run says of a value.
+enum class Verdict {
+  below,      ///< the outcome that is looked for did not happen
+  above,      ///< it did
+  undecided,  ///< it had not happened when the run ended; counts as below, and is flagged
+  broken      ///< the run failed: the value is left out
+};
+
+/// Two neighbouring values of which the lower does not have the outcome and the upper has it.
+struct Bracket {
+  int lower = 0, upper = 0;  ///< indices of the lattice
+};
+
+class BracketSearch {
+ public:
+  /// `guess`: index near which to begin; without one the whole lattice is searched.
+  explicit BracketSearch(int intervals, std::optional<int> guess = {});
+
+  void tell(int index, Verdict);
+  /// What to try next, at most `most` values (at least two to begin with, so that both sides are tried);
+  /// empty: nothing is left to try. Depends on nothing but what was told.
+  std::vector<int> next(int most) const;
+
+  /// Smallest value above and the largest below it; empty until both are known.
+  std::optional<Bracket> bracket() const;
+  bool finished() const { return next(1).empty(); }
+  /// What a reader of the bracket has to know: "flips back: 410", "lower end undecided", "no upper end"; ""
+  /// if nothing. Values are those of the lattice.
+  std::string flags(const Lattice&) const;
+
+ private:
+  bool known(int index) const { return verdicts_.contains(index); }
+  std::vector<int> outwards() const;
+  std::vector<int> inwards(int low, int high, int most) const;
+
+  int intervals_;
+  std::optional<int> guess_;
+  std::map<int, Verdict> verdicts_;
+};
+
+}  // namespace mpmstudy

@@ -1,0 +1,123 @@
+// The search for a critical value, against made-up verdicts.
+#include "runner/search/bracket.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "runner/search/extrapolate.hpp"
+
+namespace mpmstudy {
+namespace {
+
+using Truth = std::function<Verdict(int)>;
+Truth from(int critical) {
+  return [critical](int i) { return i >= critical ? Verdict::above : Verdict::below; };
+}
+
+/// Runs the search to its end; how many values it tried.
+int run(BracketSearch& search, const Truth& truth, int most) {
+  int tried = 0;
+  for (auto next = search.next(most); !next.empty(); next = search.next(most)) {
+    for (const int i : next) search.tell(i, truth(i));
+    tried += static_cast<int>(next.size());
+    if (tried > 1000) break;
+  }
+  return tried;
+}
+
+TEST(Lattice, StepsAreWithinTheToleranceAndEndsAreHit) {
+  const Lattice lattice(200, 2000, 10);
+  EXPECT_EQ(lattice.intervals, 180);
+  EXPECT_EQ(lattice.value(0), 200);
+  EXPECT_EQ(lattice.value(180), 2000);
+  EXPECT_EQ(lattice.value(1), 210);
+  EXPECT_EQ(lattice.index(214), 1);
+  EXPECT_EQ(lattice.index(1e9), 180);
+  EXPECT_EQ(Lattice(0, 1, 0.3).intervals, 4);
+}
+
+TEST(BracketSearch, FindsEveryCriticalValueWithAnyWidthOfRounds) {
+  for (int critical = 1; critical <= 64; ++critical)
+    for (const int most : {1, 2, 3, 8}) {
+      BracketSearch search(64);
+      EXPECT_LT(run(search, from(critical), most), 30);
+      ASSERT_TRUE(search.bracket()) << critical << ' ' << most;
+      EXPECT_EQ(search.bracket()->lower, critical - 1);
+      EXPECT_EQ(search.bracket()->upper, critical);
+      EXPECT_EQ(search.flags(Lattice(0, 64, 1)), "");
+    }
+}
+
+TEST(BracketSearch, AGoodGuessTakesTwoRunsAndABadOneIsLeft) {
+  for (int guess = 0; guess <= 180; guess += 9)
+    for (int critical = 1; critical <= 180; critical += 7) {
+      BracketSearch search(180, guess);
+      const int tried = run(search, from(critical), 1);
+      ASSERT_TRUE(search.bracket()) << guess << ' ' << critical;
+      EXPECT_EQ(search.bracket()->upper, critical);
+      EXPECT_LE(guess == critical ? tried : 0, 3);
+      EXPECT_LE(std::abs(guess - critical) < 5 ? tried : 0, 7) << guess << ' ' << critical;
+      EXPECT_LE(tried, 20);
+    }
+}
+
+TEST(BracketSearch, NeverTriesAValueTwice) {
+  BracketSearch search(100, 30);
+  std::vector<int> tried;
+  for (auto next = search.next(3); !next.empty(); next = search.next(3))
+    for (const int i : next) {
+      EXPECT_EQ(std::count(tried.begin(), tried.end(), i), 0) << i;
+      tried.push_back(i);
+      search.tell(i, from(77)(i));
+    }
+  EXPECT_EQ(search.bracket()->upper, 77);
+}
+
+TEST(BracketSearch, SaysWhereThereIsNoEnd) {
+  BracketSearch low(20), high(20);
+  run(low, from(0), 1);
+  run(high, from(21), 1);
+  EXPECT_FALSE(low.bracket());
+  EXPECT_FALSE(high.bracket());
+  EXPECT_EQ(low.flags(Lattice(0, 20, 1)), "no lower end");
+  EXPECT_EQ(high.flags(Lattice(0, 20, 1)), "no upper end");
+}
+
+TEST(BracketSearch, FlagsWhatFlipsBackWhatFailedAndWhatIsUndecided) {
+  const Lattice lattice(0, 200, 10);
+  BracketSearch flips(20);
+  flips.tell(4, Verdict::below);
+  flips.tell(5, Verdict::above);
+  flips.tell(9, Verdict::below);
+  EXPECT_EQ(flips.flags(lattice), "flips back at 90");
+  EXPECT_EQ(flips.bracket()->upper, 5);
+
+  BracketSearch broken(20);
+  run(
+      broken, [](int i) { return i == 10 ? Verdict::broken : from(12)(i); }, 1);
+  EXPECT_EQ(broken.bracket()->lower, 11);
+  EXPECT_EQ(broken.bracket()->upper, 12);
+  EXPECT_EQ(broken.flags(lattice), "failed at 100");
+
+  BracketSearch undecided(20);
+  run(
+      undecided, [](int i) { return i == 7 ? Verdict::undecided : from(8)(i); }, 3);
+  EXPECT_EQ(undecided.flags(lattice), "lower end undecided");
+}
+
+TEST(Extrapolate, IsExactForFirstOrderAndCoversTheWayAndTheWidths) {
+  const CellBracket cells[] = {{0.4, 535, 545}, {0.2, 515, 525}, {0.1, 505, 515}};  // 500 + 100 h
+  const auto e = extrapolate(cells);
+  ASSERT_TRUE(e);
+  EXPECT_NEAR(e->value, 500, 1e-9);
+  EXPECT_NEAR(e->interval, 10 + 15, 1e-9);  // the way, and 5 * 2 + 5 * 1
+  EXPECT_FALSE(extrapolate(std::span(cells, 1)));
+  // Cells that do not come closer: the finest, and the last difference is in doubt.
+  const CellBracket wild[] = {{0.4, 500, 500}, {0.2, 510, 510}, {0.1, 540, 540}};
+  EXPECT_NEAR(extrapolate(wild)->value, 540, 1e-9);
+  EXPECT_NEAR(extrapolate(wild)->interval, 30, 1e-9);
+}
+
+}  // namespace
+}  // namespace mpmstudy

@@ -1,0 +1,163 @@
+// A search against a real catalog and a fake simulation whose critical speed is known: the same brackets for
+// any number of workers and after a stop, no speed twice, neighbours and cells that help each other, and the
+// audit.
+#include "runner/exec/run_search.hpp"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <csignal>
+#include <mutex>
+#include <set>
+
+#include "runner/catalog/query.hpp"
+#include "runner/catalog/row_format.hpp"
+#include "tests/runner/fakes.hpp"
+#include "tests/runner/study/study_text.hpp"
+
+namespace mpmstudy {
+namespace {
+
+constexpr const char* text = R"(schema = 1
+name = "critical"
+scene = "cavity-impact"
+[parameters]
+material = "aluminium"
+block_width = "10 um"
+block_height = "11 um"
+cavity_radius = "1.5 um"
+wall_thickness = { values = [0.5, 1, 2, 3, 4], unit = "um" }
+end_time = "16 ns"
+[numerics]
+cell_size = { values = [0.4, 0.2, 0.1], unit = "um" }
+[search]
+critical = "impact_speed"
+outcome = "ejected"
+between = ["100 m/s", "2100 m/s"]
+tolerance = "10 m/s"
+)";
+
+/// What the made-up material does: a parabola in d, first order in the cell.
+double critical_speed(const mpm::Scene& s) {
+  const double d = (s.block_height - s.cavity_center_height - s.cavity_radius) * 1e6;
+  return 203 + 250 * d + 30 * d * d + 400 * s.numerics.cell_size * 1e6;
+}
+
+class SearchStudy : public testing::Test {
+ protected:
+  SearchReport search(const std::filesystem::path& results, unsigned workers, double audit = 0) {
+    const Study study = read_text(text);
+    CatalogWriter writer(results);
+    Status status;
+    const Simulate simulate = [this](const mpm::Scene& s, mpm::Observer& o) {
+      {
+        std::lock_guard lock(mutex);
+        EXPECT_TRUE(simulated.insert(job_key(s)).second) << "run twice";
+        if (static_cast<int>(simulated.size()) == stop_at) flag.ask(SIGTERM);
+      }
+      mpm::RunResult r = fakes::simulate(s, o);
+      const bool whole = s.measures.stop == mpm::Stop::end_time;
+      r.outcome = s.impact_speed > critical_speed(s) || (whole && late) ? "ejected" : "arrested";
+      return r;
+    };
+    return run_search(study, {1e6, false, audit}, writer, status, simulate, fakes::write_snapshot, flag,
+                      {results, workers});
+  }
+  std::string rows(const std::filesystem::path& results) {
+    std::ostringstream out;
+    query(results, "SELECT * FROM critical_speed ORDER BY position", *make_row_sink(RowFormat::csv, out));
+    return out.str();
+  }
+  fakes::TemporaryFolder folder;
+  StopFlag flag;
+  std::mutex mutex;
+  std::set<std::string> simulated;
+  int stop_at = -1;
+  bool late = false;  ///< runs to the end say "ejected" whatever the speed
+};
+
+TEST_F(SearchStudy, BracketsHoldTheCriticalSpeedAndNameTheirProofs) {
+  const SearchReport report = search(folder.path(), 2);
+  EXPECT_EQ(report.run.exit_code(), 0);
+  ASSERT_EQ(report.brackets.size(), 15u);
+  int finest = 0;
+  for (const FoundBracket& b : report.brackets) {
+    ASSERT_TRUE(b.lower) << b.flags;
+    EXPECT_LE(*b.lower, critical_speed(b.point.scene));
+    EXPECT_GT(*b.upper, critical_speed(b.point.scene));
+    EXPECT_LE(*b.upper - *b.lower, 10);
+    EXPECT_EQ(b.flags, "");
+    if (b.point.cell < 0.15e-6) finest += b.runs;
+  }
+  EXPECT_LE(finest, 5 * 6) << "at most six runs a point on the finest cell, on average";
+  const auto proofs =
+      query(folder.path(),
+            "SELECT l.outcome, u.outcome, l.impact_speed_m_s = c.lower_m_s, u.impact_speed_m_s = "
+            "c.upper_m_s, l.wall_thickness_m = c.wall_thickness_m FROM critical_speed c JOIN jobs l ON "
+            "l.key = c.lower_key JOIN jobs u ON u.key = c.upper_key");
+  ASSERT_EQ(proofs.rows.size(), 15u);
+  for (const auto& row : proofs.rows)
+    EXPECT_EQ(row, (std::vector<SqlValue>{"arrested", "ejected", std::int64_t(1), std::int64_t(1),
+                                          std::int64_t(1)}));
+}
+
+TEST_F(SearchStudy, ExtrapolatesToCellsOfSizeZero) {
+  search(folder.path(), 2);
+  const auto found =
+      query(folder.path(),
+            "SELECT wall_thickness_m, extrapolated_m_s, interval_m_s FROM critical_speed WHERE "
+            "extrapolated_m_s IS NOT NULL ORDER BY 1");
+  ASSERT_EQ(found.rows.size(), 5u);
+  for (const auto& row : found.rows) {
+    const double d = std::get<double>(row[0]) * 1e6;
+    EXPECT_NEAR(std::get<double>(row[1]), 203 + 250 * d + 30 * d * d, std::get<double>(row[2]));
+  }
+}
+
+TEST_F(SearchStudy, IsTheSameForAnyNumberOfWorkersAndAfterAStop) {
+  search(folder.path() / "one", 1);
+  simulated.clear();
+  search(folder.path() / "three", 3);
+  EXPECT_EQ(rows(folder.path() / "one"), rows(folder.path() / "three"));
+
+  simulated.clear();
+  stop_at = 11;
+  const SearchReport stopped = search(folder.path() / "stopped", 2);
+  EXPECT_GT(stopped.run.left(), 0);
+  EXPECT_EQ(rows(folder.path() / "stopped").find("critical,"), std::string::npos)
+      << "no brackets before the end";
+  flag.clear();
+  stop_at = -1;
+  // What was running when the stop came is run again.
+  const auto done = query(folder.path() / "stopped", "SELECT key FROM jobs WHERE status = 'done'");
+  simulated.clear();
+  for (const auto& row : done.rows) simulated.insert(std::get<std::string>(row[0]));
+  EXPECT_EQ(search(folder.path() / "stopped", 2).run.left(), 0);
+  EXPECT_EQ(rows(folder.path() / "stopped"), rows(folder.path() / "one"));
+}
+
+TEST_F(SearchStudy, RunningAgainRunsNothing) {
+  search(folder.path(), 2);
+  const auto before = simulated.size();
+  search(folder.path(), 2);
+  EXPECT_EQ(simulated.size(), before);
+}
+
+TEST_F(SearchStudy, AnAuditRunsASampleToTheEndAndNamesFalseStops) {
+  const SearchReport honest = search(folder.path() / "honest", 2, 0.3);
+  EXPECT_GT(honest.audit.audited, 0);
+  EXPECT_LT(honest.audit.audited, honest.audit.early);
+  EXPECT_TRUE(honest.audit.disagreeing.empty());
+  simulated.clear();
+  late = true;
+  const SearchReport wrong = search(folder.path() / "wrong", 2, 1);
+  EXPECT_EQ(wrong.audit.audited, wrong.audit.early);
+  EXPECT_GT(wrong.audit.disagreeing.size(), 0u);
+  // Audited runs are no runs of the study.
+  const auto other = query(folder.path() / "wrong",
+                           "SELECT count(*) FROM jobs WHERE study = 'critical' AND stop = 'end-time'");
+  EXPECT_EQ(other.rows[0][0], SqlValue(std::int64_t(0)));
+}
+
+}  // namespace
+}  // namespace mpmstudy
