@@ -1,7 +1,5 @@
 #include "runner/bench/accuracy_bench.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -11,15 +9,10 @@
 
 #include "analysis/extrapolation.hpp"
 #include "libmpm/scene/parameters.hpp"
+#include "runner/exec/thread_clock.hpp"
 
 namespace mpmstudy {
 namespace {
-
-double thread_cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// Every shape function with 1, 4 and 9 particles a cell.
 std::vector<AccuracyScheme> schemes_for(const mpm::Scene& scene) {

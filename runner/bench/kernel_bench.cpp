@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <numbers>
 
 #include "libmpm/mpm.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/dispatch.hpp"
+#include "runner/exec/thread_clock.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -30,12 +30,6 @@ mpm::Scene strong_cavity(std::int64_t particles) {
   return s;
 }
 
-double processor_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 /// A run that can be taken further, piece by piece.
 class Walk {
  public:
@@ -51,15 +45,15 @@ class Walk {
 
   /// Million particle updates a second over at least this many seconds of processor time.
   double rate(double seconds) {
-    const double start = processor_seconds();
+    const double start = thread_cpu_seconds();
     std::int64_t steps = 0;
     do {
       for (int k = 0; k < 4; ++k, ++steps)
         signal_ = stepper_->step(state_, scene_.numerics.cfl * state_.grid.cell().minCoeff() / signal_)
                       .largest_signal;
-    } while (processor_seconds() - start < seconds);
+    } while (thread_cpu_seconds() - start < seconds);
     return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) /
-           (processor_seconds() - start);
+           (thread_cpu_seconds() - start);
   }
 
   double bytes_per_particle() const {

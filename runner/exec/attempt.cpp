@@ -1,8 +1,7 @@
 #include "runner/exec/attempt.hpp"
+#include "runner/exec/thread_clock.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
-
 #include <chrono>
 #include <exception>
 #include <new>
@@ -11,13 +10,6 @@ namespace mpmstudy {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Time that this thread has spent on a processor [s].
-double thread_cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
