@@ -37,7 +37,9 @@ double largest(const std::vector<Series>& all, std::vector<double> Series::*colu
   return result;
 }
 
-bool is_drawn(const Series& s, std::size_t i) { return std::isfinite(s.x[i]) && std::isfinite(s.y[i]); }
+bool is_drawn(const Plot& plot, const Series& s, std::size_t i) {
+  return std::isfinite(s.x[i]) && std::isfinite(s.y[i]) && (!plot.log_axes || (s.x[i] > 0 && s.y[i] > 0));
+}
 
 void check(const Plot& plot) {
   bool something = false;
@@ -45,16 +47,16 @@ void check(const Plot& plot) {
     if (s.x.size() != s.y.size() || (!s.y_error.empty() && s.y_error.size() != s.y.size()))
       throw std::invalid_argument("figure '" + plot.title + "': x, y and y_error of '" + s.label +
                                   "' have unequal lengths");
-    for (std::size_t i = 0; i < s.x.size(); ++i) something = something || is_drawn(s, i);
+    for (std::size_t i = 0; i < s.x.size(); ++i) something = something || is_drawn(plot, s, i);
   }
   if (!something) throw std::invalid_argument("figure '" + plot.title + "': there is nothing to draw");
 }
 
 /// x, y, error in the units of the axes, a row a point.
-std::string rows_of(const Series& s, const DisplayUnit& x, const DisplayUnit& y) {
+std::string rows_of(const Plot& plot, const Series& s, const DisplayUnit& x, const DisplayUnit& y) {
   std::string rows;
   for (std::size_t i = 0; i < s.x.size(); ++i) {
-    if (!is_drawn(s, i)) continue;
+    if (!is_drawn(plot, s, i)) continue;
     const double error = s.y_error.empty() || !std::isfinite(s.y_error[i]) ? 0 : s.y_error[i];
     rows += fmt::format("{:.9g} {:.9g} {:.9g}\n", s.x[i] * x.factor, s.y[i] * y.factor, error * y.factor);
   }
@@ -146,6 +148,7 @@ std::string range_of_points(const Plot& plot, const DisplayUnit& y) {
 
 /// Room around the data so that no point lies on the frame.
 std::string ranges(const Plot& plot, const DisplayUnit& y) {
+  if (plot.log_axes) return "set logscale xy\n";
   std::string text = plot.kind == Plot::Kind::history
                          ? "set offsets 0, 0, graph 0.05, graph 0.02\n"
                          : "set offsets graph 0.04, graph 0.04, graph 0.06, graph 0.06\n";
@@ -246,7 +249,7 @@ void draw(const Plot& plot, const std::filesystem::path& stem) {
   const DisplayUnit y = display_unit(plot.y.unit, largest(plot.series, &Series::y));
   const FigureFolder folder(stem);
   for (std::size_t i = 0; i < plot.series.size(); ++i)
-    folder.write(fmt::format("series{}.dat", i), rows_of(plot.series[i], x, y));
+    folder.write(fmt::format("series{}.dat", i), rows_of(plot, plot.series[i], x, y));
   if (plot.fit && plot.fit->ok()) folder.write("fit.dat", rows_of(*plot.fit, x, y));
   run_gnuplot(folder, script(plot, x, y), figure_size, stem);
 }

@@ -30,6 +30,7 @@ struct Plot {
   /// SI.
   std::optional<Fit> fit;
   bool y_from_zero = false;  ///< the y axis starts at 0
+  bool log_axes = false;     ///< both axes by their logarithm; numbers that are not positive are left out
 };
 
 /// "Φ = (0.98 ± 0.02) − (0.11 ± 0.01) R,  R in µm;  r² = 0.998" in the units of the axes.

@@ -41,7 +41,7 @@ struct Snapshot {
   std::vector<double> equivalent_plastic_strain;                   ///< [1]
   std::vector<double> plastic_work;                                ///< per current volume [J/m^3]
   std::vector<double> specific_internal_energy;  ///< half a step behind the stress, as it is carried [J/kg]
-  std::vector<double> temperature;                                 ///< [K]
+  std::vector<double> temperature;               ///< [K]
 };
 
 /// Watches a run, on the thread that runs it. Every member may be left as it is.
@@ -73,8 +73,10 @@ struct RunResult {
   std::string reason;
   std::int64_t particles = 0;
   std::int64_t steps = 0;
-  double energy_error = 0;  ///< |E - E0| / E0, largest over the samples; E: kinetic + internal (walls at rest do no work)
-  std::string outcome;  ///< collapsed, partial, ejected, arrested, undecided; empty where the scene decides nothing
+  double energy_error =
+      0;  ///< |E - E0| / E0, largest over the samples; E: kinetic + internal (walls at rest do no work)
+  std::string
+      outcome;  ///< collapsed, partial, ejected, arrested, undecided; empty where the scene decides nothing
   std::optional<double> initial_area, final_area, final_area_error;  ///< [m^2]
   std::optional<double> collapsibility, collapsibility_error;        ///< (A0 - A)/A0 [1]
   std::vector<AreaSample> area_history;

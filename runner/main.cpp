@@ -14,13 +14,18 @@
 #include "runner/cli/bench.hpp"
 #include "runner/cli/check.hpp"
 #include "runner/cli/cli.hpp"
+#include "runner/cli/explain.hpp"
 #include "runner/cli/export.hpp"
 #include "runner/cli/figures.hpp"
+#include "runner/cli/merge.hpp"
 #include "runner/cli/plan.hpp"
 #include "runner/cli/query.hpp"
 #include "runner/cli/report.hpp"
+#include "runner/cli/retry.hpp"
 #include "runner/cli/run.hpp"
 #include "runner/cli/status.hpp"
+#include "runner/cli/verify.hpp"
+#include "runner/cli/watch.hpp"
 #include "runner/finish/finish_study.hpp"
 
 namespace {
@@ -29,10 +34,16 @@ namespace {
 void setup_verbs(CLI::App& app) {
   mpmstudy::setup_check(app);
   mpmstudy::setup_plan(app);
-  mpmstudy::setup_run(
-      app, {[](const mpm::Scene& scene, mpm::Observer& observer) { return mpm::run(scene, observer); },
-            mpm::write_vtkhdf, mpmstudy::finish_study});
+  const auto simulate = [](const mpm::Scene& scene, mpm::Observer& observer) {
+    return mpm::run(scene, observer);
+  };
+  mpmstudy::setup_run(app, {simulate, mpm::write_vtkhdf, mpmstudy::finish_study});
   mpmstudy::setup_status(app);
+  mpmstudy::setup_watch(app);
+  mpmstudy::setup_explain(app);
+  mpmstudy::setup_retry(app);
+  mpmstudy::setup_verify(app, {simulate, mpm::write_vtkhdf, {}});
+  mpmstudy::setup_merge(app);
   mpmstudy::setup_query(app);
   mpmstudy::setup_export(app);
   mpmstudy::setup_figures(app);

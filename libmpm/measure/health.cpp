@@ -5,6 +5,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "libmpm/scene/build.hpp"
+
 namespace mpm {
 namespace {
 
@@ -12,6 +14,7 @@ constexpr double lowest_dilation = -0.75, highest_dilation = 9;
 constexpr double most_overpressed = 0.01;
 constexpr double largest_energy_error = 0.01;
 constexpr double largest_cfl = 1;
+constexpr double largest_signal_growth = 100;
 
 bool is_finite(const Particles& ps, std::size_t p) {
   return ps.position[p].allFinite() && ps.velocity[p].allFinite() && std::isfinite(ps.dilation[p]) &&
@@ -63,7 +66,12 @@ std::string_view advice(Health::Trouble trouble) {
 Health::Health(const Scene& scene, const State& s)
     : mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
       pressure_limit_(scene.material.pressure_limit),
-      cell_(s.grid.cell().minCoeff()) {}
+      cell_(s.grid.cell().minCoeff()),
+      largest_signal_(
+          largest_signal_growth *
+          (std::sqrt(scene.material.bulk_sound_speed * scene.material.bulk_sound_speed +
+                     4 * scene.material.shear_modulus() / (3 * scene.material.reference_density)) +
+           initial_speed(scene))) {}
 
 void Health::after_step(const State&, const StepReport& report, double dt) {
   last_ = report;
@@ -78,6 +86,7 @@ Health::Trouble Health::trouble(double energy_error) const {
   if (last_.smallest_dilation < lowest_dilation || last_.largest_dilation > highest_dilation)
     return Trouble::density;
   if (last_.overpressed_mass > most_overpressed * mass_) return Trouble::pressure;
+  if (last_.largest_signal > largest_signal_) return Trouble::signal;
   if (last_cfl_ > largest_cfl) return Trouble::time_step;
   if (!(energy_error < largest_energy_error)) return Trouble::energy;
   return Trouble::none;
@@ -100,6 +109,10 @@ std::string Health::describe(Trouble trouble, const State& s, double energy_erro
       text << 100 * last_.overpressed_mass / mass_
            << " % of the mass is beyond the equation of state, pressure_limit = " << pressure_limit_
            << " Pa; allowed " << 100 * most_overpressed << " %";
+      break;
+    case Trouble::signal:
+      text << "the fastest signal is " << last_.largest_signal << " m/s, allowed " << largest_signal_
+           << " m/s: steps become too small to go on";
       break;
     case Trouble::time_step:
       text << "the time step was too long: CFL number " << last_cfl_ << ", allowed " << largest_cfl;

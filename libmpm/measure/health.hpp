@@ -15,6 +15,8 @@ namespace mpm {
 ///     single particles pass its limit, and are counted as overpressed_mass_fraction);
 ///   - the step was longer than a cell over the fastest signal, CFL number 1: no explicit step is stable
 ///   there;
+///   - the fastest signal is a hundred times that of the impact: nothing physical is, and the run would crawl
+///     on in ever smaller steps;
 ///   - total energy is off by 1 %.
 /// Metrics: smallest_density_ratio, largest_density_ratio (rho/rho0 of a particle, over the run), largest_cfl
 /// (dt signal / h, with the signal at the end of the step).
@@ -24,7 +26,7 @@ class Health : public Measurement {
   void after_step(const State&, const StepReport&, double dt) override;
   void finish(const State&, RunResult&) override;
 
-  enum class Trouble { none, not_finite, density, pressure, time_step, energy };
+  enum class Trouble { none, not_finite, density, pressure, signal, time_step, energy };
   /// What is wrong after the last step.
   Trouble trouble(double energy_error) const;
   /// Says so: the limit, the step, the time, the particle where it is worst with its place and state, and
@@ -32,7 +34,7 @@ class Health : public Measurement {
   std::string describe(Trouble, const State&, double energy_error) const;
 
  private:
-  double mass_, pressure_limit_, cell_;
+  double mass_, pressure_limit_, cell_, largest_signal_;
   StepReport last_;
   double last_cfl_ = 0, largest_cfl_ = 0;
   double smallest_dilation_ = 0, largest_dilation_ = 0;

@@ -9,7 +9,7 @@
 #include "libmpm/mpm.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/dispatch.hpp"
-#include "runner/bench/processor_seconds.hpp"
+#include "runner/exec/thread_clock.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -50,15 +50,15 @@ class Walk {
 
   /// Million particle updates a second over at least this many seconds of processor time.
   double rate(double seconds) {
-    const double start = processor_seconds();
+    const double start = thread_cpu_seconds();
     std::int64_t steps = 0;
     do {
       for (int k = 0; k < 4; ++k, ++steps)
         signal_ = stepper_->step(state_, scene_.numerics.cfl * state_.grid.cell().minCoeff() / signal_)
                       .largest_signal;
-    } while (processor_seconds() - start < seconds);
+    } while (thread_cpu_seconds() - start < seconds);
     return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) /
-           (processor_seconds() - start);
+           (thread_cpu_seconds() - start);
   }
 
   mpm::StepTimes times() const { return stepper_->times(); }

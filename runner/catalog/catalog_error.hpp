@@ -11,4 +11,11 @@ class CatalogError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A process was killed, or the disk failed, while the catalog was made: the next one that writes finishes
+/// it.
+class UnfinishedCatalog : public CatalogError {
+ public:
+  using CatalogError::CatalogError;
+};
+
 }  // namespace mpmstudy

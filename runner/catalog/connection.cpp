@@ -211,13 +211,18 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
       const bool unfinished =
           fs::exists(path.string() + "-wal", ignored) || fs::exists(path.string() + "-journal", ignored);
       const int code = error.getErrorCode();
+      if (code == SQLITE_READONLY && unfinished)
+        throw UnfinishedCatalog(
+            path.string() +
+            ": a process was killed while it made the catalog; `mpmstudy run STUDY` finishes it");
       if (unfinished || (code != SQLITE_CANTOPEN && code != SQLITE_READONLY)) throw;
       db = std::make_unique<SQLite::Database>("file:" + uri_path(path) + "?immutable=1",
                                               flags | SQLite::OPEN_URI);
       header = read_header(*db);
     }
     check_header(path, header, current_catalog_schema().version());
-    if (header.version == 0) throw CatalogError(path.string() + ": is empty; `mpmstudy run STUDY` fills it");
+    if (header.version == 0)
+      throw UnfinishedCatalog(path.string() + ": is empty; `mpmstudy run STUDY` fills it");
     return db;
   } catch (const SQLite::Exception& error) {
     rethrow(path, error);

@@ -45,7 +45,9 @@ std::int64_t start_of(std::int64_t pid) {
 
 }  // namespace
 
-ProcessId this_process() { return {host_name(), boot_id(), getpid(), start_of(getpid())}; }
+ProcessId this_process() { return process_with(getpid()); }
+
+ProcessId process_with(std::int64_t pid) { return {host_name(), boot_id(), pid, start_of(pid)}; }
 
 Liveness liveness(const ProcessId& process) {
   if (process.host != host_name()) return Liveness::unknown;

@@ -15,6 +15,8 @@ struct ProcessId {
 };
 
 ProcessId this_process();
+/// A process of this host.
+ProcessId process_with(std::int64_t pid);
 
 enum class Liveness { alive, gone, unknown };
 

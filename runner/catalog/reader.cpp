@@ -48,6 +48,9 @@ CatalogState read_all(SQLite::Database& db) {
   SQLite::Transaction one_moment(db);
   state.studies = read_studies(db);
   state.no_study = read_no_study(db);
+  state.stale =
+      db.execAndGet("SELECT count(*) FROM job WHERE physics_version < (SELECT version FROM physics)")
+          .getInt64();
   SQLite::Statement running(
       db,
       "SELECT j.key, j.study, e.\"by\", j.started_at, j.attempt FROM jobs j JOIN events e "
@@ -93,8 +96,8 @@ CatalogState read_state(const std::filesystem::path& results, const std::vector<
 std::optional<double> measured_updates_per_second(const std::filesystem::path& results) {
   std::error_code ignored;
   if (!std::filesystem::exists(catalog_path(results), ignored)) return std::nullopt;
-  const auto db = open_for_reading(results);
   try {
+    const auto db = open_for_reading(results);
     SQLite::Statement sum(*db,
                           "SELECT total(CAST(particles AS REAL) * steps), total(cpu_s) FROM job "
                           "WHERE status = 'done' AND host = ?");
@@ -102,6 +105,8 @@ std::optional<double> measured_updates_per_second(const std::filesystem::path& r
     sum.executeStep();
     const double updates = sum.getColumn(0).getDouble(), seconds = sum.getColumn(1).getDouble();
     return seconds > 0 && updates > 0 ? std::optional(updates / seconds) : std::nullopt;
+  } catch (const UnfinishedCatalog&) {
+    return std::nullopt;
   } catch (const SQLite::Exception&) {
     return std::nullopt;  // an older layout: run will bring it up to date
   }

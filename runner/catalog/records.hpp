@@ -17,6 +17,18 @@ std::string_view to_string(JobStatus);
 /// Throws CatalogError for a word that is no status.
 JobStatus job_status_from(std::string_view);
 
+/// Why a job failed.
+enum class FailureKind {
+  breakdown,  ///< the numbers left the range in which they mean something: a result of the simulation
+  timeout,    ///< it ran over --timeout
+  memory,     ///< it ran over --memory, or there was no more
+  crash,      ///< its process died, as often as is allowed
+  error       ///< anything else that it threw
+};
+std::string_view to_string(FailureKind);
+/// Throws CatalogError for a word that is no kind of failure.
+FailureKind failure_kind_from(std::string_view);
+
 /// A field file that is on disk, whole and synced.
 struct SnapshotFile {
   double time = 0;  ///< [s]
@@ -31,6 +43,7 @@ struct FinishedJob {
   std::string key;
   JobStatus status = JobStatus::done;  ///< done or failed
   std::string reason;                  ///< of a failure
+  std::optional<FailureKind> failure;  ///< of a failed job
   mpm::RunResult result;
   std::vector<SnapshotFile> snapshots;
   double wall_s = 0;  ///< duration [s]
@@ -93,6 +106,33 @@ struct Claim {
   std::string note;      ///< what the verdict rests on
 };
 
+/// The answer to a wish to run a job.
+struct JobClaim {
+  bool mine = false;                        ///< it is this process's to run
+  JobStatus status = JobStatus::cancelled;  ///< what it is, if it is not: running (by another), done, failed
+  std::int64_t crashes = 0;                 ///< how often its process has ended while it ran
+  explicit operator bool() const { return mine; }
+};
+
+/// Where a study comes from; for those who ask later.
+struct StudySource {
+  std::string path;              ///< of its file
+  std::vector<std::string> set;  ///< its --set
+};
+
+/// Which failed jobs; "": any.
+struct RetryFilter {
+  std::string key_begins, study, kind;
+};
+
+/// What became of the jobs of another catalog.
+struct MergeReport {
+  std::int64_t merged = 0;             ///< taken over
+  std::int64_t same = 0;               ///< known here already
+  std::vector<std::string> conflicts;  ///< two results under one key; this catalog keeps its own
+  std::vector<std::string> damaged;    ///< files that are not as they were written; their jobs are left out
+};
+
 /// What registering a study found.
 struct Registration {
   std::vector<JobStatus> states;       ///< of every job, in the order of the plan; planned: to run
@@ -101,6 +141,7 @@ struct Registration {
   std::int64_t failed = 0;             ///< failed before and left so
   std::int64_t running_elsewhere = 0;  ///< by another process that is alive
   std::int64_t taken_up = 0;           ///< of to_run: left behind by a process that is gone
+  std::int64_t damaged = 0;            ///< of to_run: were done, but a file of theirs is missing or damaged
 };
 
 }  // namespace mpmstudy

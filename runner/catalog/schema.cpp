@@ -181,6 +181,16 @@ CREATE TABLE claim (             -- sentences of the paper, judged
 ALTER TABLE fit ADD COLUMN covariance TEXT;                           -- with c0, c1, ...: JSON array
 )sql";
 
+constexpr std::string_view version_4 = R"sql(
+ALTER TABLE job ADD COLUMN failure_kind TEXT
+  CHECK (failure_kind IN ('breakdown','timeout','memory','crash','error'));
+ALTER TABLE job ADD COLUMN crashes INTEGER NOT NULL DEFAULT 0;  -- times that its process ended while it ran
+ALTER TABLE study ADD COLUMN path TEXT;       -- of the file, when it was last registered
+ALTER TABLE study ADD COLUMN overrides TEXT;  -- JSON array of its --set
+CREATE TABLE physics (version INTEGER NOT NULL) STRICT;  -- one row: the newest that has written here
+INSERT INTO physics (version) VALUES (0);
+)sql";
+
 constexpr std::string_view jobs_before = R"sql(
 DROP VIEW IF EXISTS jobs;
 CREATE VIEW jobs AS SELECT
@@ -205,9 +215,11 @@ constexpr std::string_view jobs_after = R"sql(
   j.physics_version AS physics_version, j.git_revision AS git_revision, j.host AS host,
   j.scene AS scene, j.material AS material, m.position AS position, j.attempt AS attempt,
   j.started_at AS started_at, j.finished_at AS finished_at, j.predicted_s AS predicted_s,
-  CAST(j.particles AS REAL) * j.steps / nullif(j.cpu_s, 0) AS particle_updates_per_s
+  CAST(j.particles AS REAL) * j.steps / nullif(j.cpu_s, 0) AS particle_updates_per_s,
+  j.failure_kind AS failure_kind, j.crashes AS crashes,
+  j.physics_version < (SELECT version FROM physics) AS stale
 FROM job j
-JOIN job_parameters p ON p.job_id = j.id
+LEFT JOIN job_parameters p ON p.job_id = j.id  -- every job has them; so a query that asks for none skips them
 LEFT JOIN study_job m ON m.job_id = j.id AND m.coarse = 0
 LEFT JOIN study s ON s.id = m.study_id;
 )sql";
@@ -235,7 +247,7 @@ CREATE VIEW events AS SELECT j.key AS key, e.from_status AS from_status, e.to_st
 FROM event e JOIN job j ON j.id = e.job_id JOIN runner r ON r.id = e.runner_id;
 
 DROP VIEW IF EXISTS studies;
-CREATE VIEW studies AS SELECT name, title, updated_at FROM study;
+CREATE VIEW studies AS SELECT name, title, updated_at, path, overrides FROM study;
 
 DROP VIEW IF EXISTS claims;
 CREATE VIEW claims AS SELECT name, sentence, verdict, measured, note, study FROM claim;
@@ -303,7 +315,7 @@ std::vector<ParameterColumn> parameter_columns() {
 }  // namespace
 
 CatalogSchema current_catalog_schema() {
-  return {{{1, version_1}, {2, version_2}, {3, version_3}}, parameter_columns()};
+  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}}, parameter_columns()};
 }
 
 std::string view_sql(std::span<const std::string> columns) {

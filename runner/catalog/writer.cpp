@@ -174,13 +174,18 @@ CatalogWriter::CatalogWriter(const std::filesystem::path& results, WriterOptions
 CatalogWriter::~CatalogWriter() = default;
 
 Registration CatalogWriter::register_study(const std::string& name, const std::string& title,
-                                           std::vector<Job> jobs, bool retry_failed) {
-  return impl_->ask(
-      [=, jobs = std::move(jobs)](Store& s) { return s.register_study(name, title, jobs, retry_failed); });
+                                           std::vector<Job> jobs, bool retry_failed, StudySource source) {
+  return impl_->ask([=, jobs = std::move(jobs), source = std::move(source)](Store& s) {
+    return s.register_study(name, title, jobs, retry_failed, source);
+  });
 }
 
-bool CatalogWriter::claim(const std::string& key) {
+JobClaim CatalogWriter::claim(const std::string& key) {
   return impl_->ask([key](Store& s) { return s.claim(key); });
+}
+
+std::int64_t CatalogWriter::crashed(const std::string& key) {
+  return impl_->ask([key](Store& s) { return s.crashed(key); });
 }
 
 void CatalogWriter::finish(FinishedJob job) {
@@ -189,6 +194,10 @@ void CatalogWriter::finish(FinishedJob job) {
 
 void CatalogWriter::release(const std::string& key, const std::string& reason) {
   impl_->tell([key, reason](Store& s) { s.release(key, reason); });
+}
+
+std::int64_t CatalogWriter::sweep_files() {
+  return impl_->ask([](Store& s) { return s.sweep_files(); });
 }
 
 void CatalogWriter::flush() {

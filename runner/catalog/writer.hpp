@@ -31,11 +31,15 @@ class CatalogWriter : public Ledger {
   ~CatalogWriter() override;
 
   Registration register_study(const std::string& name, const std::string& title, std::vector<Job>,
-                              bool retry_failed);
-  bool claim(const std::string& key) override;
+                              bool retry_failed, StudySource = {});
+  JobClaim claim(const std::string& key) override;
+  std::int64_t crashed(const std::string& key) override;
   void finish(FinishedJob) override;
   void release(const std::string& key, const std::string& reason) override;
   void flush() override;
+
+  /// See Store::sweep_files.
+  std::int64_t sweep_files();
 
   /// One more cell under the job at `rung.rung_of` of a registered study, finer than those it has: from now
   /// on the study's own job there. Gives back what it is; planned: to run.

@@ -5,7 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -17,6 +20,8 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
+#include "runner/cli/amounts.hpp"
+#include "runner/cli/run_slurm.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/exec/run_search.hpp"
 #include "runner/exec/run_studies.hpp"
@@ -110,6 +115,38 @@ bool finish_studies(const std::vector<Study>& studies, const RunOptions& options
   return good;
 }
 
+ExecutorOptions executor_options(const RunOptions& options) {
+  ExecutorOptions executor;
+  executor.results = options.results;
+  executor.workers = static_cast<unsigned>(options.workers);
+  executor.retries = options.retries;
+  executor.limits = {read_duration("--timeout", options.timeout), read_bytes("--memory", options.memory)};
+  executor.budget_s = read_duration("--budget", options.budget);
+  executor.abandon = [](const ExecutorReport&) {
+    std::fflush(nullptr);
+    std::_Exit(signal_flag().signal() == SIGINT ? exit_interrupted : exit_stopped);
+  };
+  return executor;
+}
+
+/// Leaves the jobs whose keys are in a file, one a line.
+void keep_only(const std::string& path, std::vector<PlannedStudy>& planned) {
+  std::ifstream file(path);
+  if (!file) throw StudyError(path + ": cannot be read; --only names a file of keys, one a line");
+  std::set<std::string> keys;
+  for (std::string key; file >> key;) keys.insert(key);
+  for (auto& study : planned) {
+    auto jobs = all_jobs(study.plan);
+    std::erase_if(jobs, [&](const Job& job) { return !keys.contains(job.key); });
+    for (auto& job : jobs) job.rung_of.reset();
+    study.plan = {study.plan.study, std::move(jobs), {}, {}};  // who gives the keys knows what they are for
+  }
+}
+
+StudySource source_of(const Study& study, const StudyOptions& options) {
+  return {std::filesystem::absolute(study.path).lexically_normal().string(), options.set};
+}
+
 /// "5 %", "5%" or "0.05". Throws StudyError.
 double share_of(const std::string& text) {
   std::size_t end = 0;
@@ -144,6 +181,21 @@ void print_search(const Study& study, const SearchReport& search) {
   for (const std::string& key : audit.disagreeing) fmt::print("  false stop: {}\n", short_key(key));
 }
 
+/// A job array a study. A search is a conversation with its results: it is not for a queue.
+int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
+                   const std::vector<PlannedStudy>& planned, const RunSeams& seams) {
+  int code = exit_ok;
+  auto next = planned.begin();
+  for (const auto& study : studies)
+    if (study.search) {
+      fmt::print(stderr, "{}: a [search] is run here, not by Slurm; leave out --engine slurm\n", study.name);
+      code = std::max(code, exit_stopped);
+    } else {
+      code = std::max(code, run_on_slurm(options, study, *next++, seams));
+    }
+  return code;
+}
+
 }  // namespace
 
 void setup_run(CLI::App& app, RunSeams given) {
@@ -154,6 +206,29 @@ void setup_run(CLI::App& app, RunSeams given) {
   verb.add_option("-j,--jobs", options->workers, "Jobs at a time [processors]")->check(CLI::Range(1, 4096));
   verb.add_flag("-n,--dry-run", options->dry_run, "Say what would run; write nothing");
   verb.add_flag("--retry-failed", options->retry_failed, "Run failed jobs again");
+  verb.add_option("--retries", options->retries, "How often a failed job is run again")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  verb.add_option("--timeout", options->timeout, "A job that runs longer is failed")->type_name("\"10 min\"");
+  verb.add_option("--memory", options->memory,
+                  "A job that needs more is failed; each job then has a process of its own")
+      ->type_name("\"2 GB\"");
+  verb.add_option("--budget", options->budget, "Start no more jobs after this time")->type_name("\"2 h\"");
+  verb.add_option("--engine", options->engine, "Where jobs run: local, or slurm (a job array and its merge)")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  verb.add_option("--slurm", options->slurm.options, "An option for sbatch: --slurm=--partition=long")
+      ->allow_extra_args(false);
+  verb.add_option("--shard-time", options->slurm.shard_time, "Predicted time of one element of the array")
+      ->capture_default_str();
+  verb.add_option("--shards", options->slurm.most_shards, "No more elements than this")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  verb.add_option("--rounds", options->slurm.rounds, "Submit what is left so often")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb.add_option("--round", options->slurm.round)->group("");  // said by the merge of the round before
+  verb.add_option("--only", options->only, "Run the jobs whose keys are in this file")->type_name("FILE");
   auto* quiet = verb.add_flag("-q,--quiet", options->quiet, "Failures and the summary only");
   verb.add_flag("-v,--verbose", options->verbose, "Lines instead of a live display, and more of them")
       ->excludes(quiet);
@@ -174,10 +249,14 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   const double rate = measured_updates_per_second(options.results).value_or(assumed_updates_per_second);
   std::vector<PlannedStudy> planned;
   for (const auto& study : studies)
-    if (!study.search) planned.push_back({make_plan(study, rate), study.title});
+    if (!study.search)
+      planned.push_back({make_plan(study, rate), study.title, source_of(study, options.study)});
   const double audit = share_of(options.audit);
+  if (!options.only.empty()) keep_only(options.only, planned);
+  if (options.engine == "slurm") return submit_studies(options, studies, planned, seams);
   if (options.dry_run) return print_intent(options, studies, planned);
 
+  const ExecutorOptions executor = executor_options(options);
   const SignalGuard signals;
   WriterOptions writer_options;
   writer_options.store.git_revision = git_revision();
@@ -186,14 +265,12 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   RunReport report;
   try {
     if (!planned.empty())
-      report =
-          run_studies(planned, options.retry_failed, writer, *status, seams.simulate, seams.write_snapshot,
-                      signal_flag(), {options.results, static_cast<unsigned>(options.workers)});
+      report = run_studies(planned, options.retry_failed, writer, *status, seams.simulate,
+                           seams.write_snapshot, signal_flag(), executor);
     for (const auto& study : studies) {
       if (!study.search || report.left() > 0) continue;
       const SearchReport search = run_search(study, {rate, options.retry_failed, audit}, writer, *status,
-                                             seams.simulate, seams.write_snapshot, signal_flag(),
-                                             {options.results, static_cast<unsigned>(options.workers)});
+                                             seams.simulate, seams.write_snapshot, signal_flag(), executor);
       report.executed.failed += search.run.executed.failed;
       report.executed.untouched += search.run.left();
       report.signal = search.run.signal;

@@ -12,13 +12,29 @@
 
 namespace mpmstudy {
 
+/// Of --engine slurm.
+struct SlurmOptions {
+  std::vector<std::string> options;   ///< of sbatch, "--partition=long"
+  std::string shard_time = "30 min";  ///< predicted time of a shard
+  int most_shards = 1000;
+  int round = 1;   ///< which one this is
+  int rounds = 5;  ///< after which what is left is left
+};
+
 struct RunOptions {
   std::vector<std::string> files;
   std::string results;
   StudyOptions study;
-  int workers = 0;  ///< 0: as many as there are processors
+  int workers = 0;               ///< 0: as many as there are processors
+  std::string engine = "local";  ///< or "slurm"
+  SlurmOptions slurm;
+  std::string only;  ///< a file of keys: run no other jobs; "": all
   bool dry_run = false;
   bool retry_failed = false;
+  int retries = 0;      ///< how often a failed job is run again
+  std::string timeout;  ///< of a job, "10 min"; "": none
+  std::string memory;   ///< of a job, "2 GB"; "": none
+  std::string budget;   ///< wall time after which no job is started, "2 h"; "": none
   bool quiet = false;
   bool verbose = false;
   std::string audit = "0 %";  ///< share of the early stops of a search that is run to the end

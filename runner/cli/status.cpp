@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "runner/catalog/reader.hpp"
+#include "runner/slurm/queue.hpp"
 #include "runner/status/label.hpp"
 
 namespace mpmstudy {
@@ -37,13 +38,19 @@ Json counts(const StudyState& study) {
 /// The name of a study, or null.
 Json study_or_null(const std::string& study) { return study.empty() ? Json(nullptr) : Json(study); }
 
-Json to_json(const CatalogState& state) {
-  Json json = {{"studies", Json::array()},
-               {"no_study", counts(state.no_study)},
-               {"running", Json::array()},
-               {"failed", Json::array()}};
+Json to_json(const CatalogState& state, const std::vector<Submission>& submissions) {
+  Json json = {{"studies", Json::array()}, {"no_study", counts(state.no_study)}, {"stale", state.stale},
+               {"slurm", Json::array()},   {"running", Json::array()},           {"failed", Json::array()}};
   for (const auto& study : state.studies)
     json["studies"].push_back({{"study", study.name}, {"title", study.title}, {"jobs", counts(study)}});
+  for (const auto& s : submissions)
+    json["slurm"].push_back({{"study", s.study},
+                             {"array", s.array_id},
+                             {"shards", s.shards},
+                             {"whole", s.whole},
+                             {"running", s.running},
+                             {"pending", s.pending},
+                             {"merge_queued", s.merge_queued}});
   for (const auto& job : state.running)
     json["running"].push_back({{"key", job.key},
                                {"study", study_or_null(job.study)},
@@ -55,7 +62,16 @@ Json to_json(const CatalogState& state) {
   return json;
 }
 
-void print_text(const CatalogState& state) {
+void print_queue(const std::vector<Submission>& submissions) {
+  if (!submissions.empty()) fmt::print("\nslurm\n");
+  for (const auto& s : submissions)
+    fmt::print(
+        "  {}  array {}: {} of {} shards whole, {} running, {} pending; merge {}\n", s.study, s.array_id,
+        s.whole, s.shards, s.running, s.pending,
+        s.merge_queued ? "waits for them" : "is not in the queue: `mpmstudy run` submits what is left");
+}
+
+void print_text(const CatalogState& state, const std::vector<Submission>& submissions) {
   auto rows = state.studies;
   if (!state.no_study.jobs.empty()) rows.push_back(state.no_study);
   std::size_t width = 5;
@@ -68,6 +84,10 @@ void print_text(const CatalogState& state) {
     for (const auto status : all_states) fmt::print("  {:>9}", count(study, status));
     fmt::print("\n");
   }
+  print_queue(submissions);
+  if (state.stale > 0)
+    fmt::print("\n{} are of an older physics version: never reused, in no fit (stale = 1 in the view jobs)\n",
+               counted(state.stale, "job"));
   if (!state.running.empty()) fmt::print("\nrunning\n");
   for (const auto& job : state.running)
     fmt::print("  {}  {}  by {} since {}, attempt {}\n", short_key(job.key), name_of(job.study), job.by,
@@ -88,15 +108,20 @@ void setup_status(CLI::App& app) {
   verb.callback([options] { finish(run_status(*options)); });
 }
 
-int run_status(const StatusOptions& options) {
+std::vector<std::string> study_names(const std::vector<std::string>& names_or_files) {
   std::vector<std::string> names;
-  for (const auto& study : options.studies)
+  for (const auto& study : names_or_files)
     names.push_back(std::filesystem::is_regular_file(study) ? read_study(study, StudyOptions{}).name : study);
-  const auto state = read_state(options.results, names);
+  return names;
+}
+
+int run_status(const StatusOptions& options) {
+  const auto state = read_state(options.results, study_names(options.studies));
+  const auto submissions = read_submissions(options.results);
   if (options.json)
-    fmt::print("{}\n", to_json(state).dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", to_json(state, submissions).dump(2, ' ', false, Json::error_handler_t::replace));
   else
-    print_text(state);
+    print_text(state, submissions);
   return exit_ok;
 }
 

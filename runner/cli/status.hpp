@@ -13,6 +13,9 @@ struct StatusOptions {
   bool json = false;
 };
 
+/// Names of studies, some of them said by their files. Throws StudyError for a file.
+std::vector<std::string> study_names(const std::vector<std::string>& names_or_files);
+
 void setup_status(CLI::App&);
 /// Throws CatalogError; StudyError for a file.
 int run_status(const StatusOptions&);

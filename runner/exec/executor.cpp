@@ -1,76 +1,50 @@
 #include "runner/exec/executor.hpp"
 
-#include <time.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <new>
+#include <optional>
+#include <set>
 #include <thread>
+
+#include "runner/exec/isolation.hpp"
+#include "runner/exec/job_queue.hpp"
 
 namespace mpmstudy {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Time that this thread has spent on a processor [s].
-double thread_cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+std::chrono::milliseconds milliseconds(double seconds) {
+  return std::chrono::milliseconds(static_cast<std::int64_t>(1000 * seconds));
 }
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Watches one job for the executor: stops it when asked, hands snapshots to disk, tells the status.
-class JobObserver : public mpm::Observer {
- public:
-  JobObserver(const Job& job, JobFiles& files, Status& status, const std::atomic<bool>& stop,
-              const StopFlag& flag)
-      : job_(job), files_(files), status_(status), stop_(stop), flag_(flag) {}
-
-  bool on_step(const mpm::Progress& progress) override {
-    if (const auto now = Clock::now(); now - last_ >= std::chrono::milliseconds(50)) {
-      last_ = now;
-      status_.job_progress(job_, progress);
-    }
-    return !stop_.load(std::memory_order_relaxed) && !flag_.wanted();
-  }
-  void on_snapshot(const mpm::Snapshot& snapshot) override { files_.add(snapshot); }
-
- private:
-  const Job& job_;
-  JobFiles& files_;
-  Status& status_;
-  const std::atomic<bool>& stop_;
-  const StopFlag& flag_;
-  Clock::time_point last_{};
-};
 
 class Executor {
  public:
   Executor(std::vector<Job> jobs, const Simulate& simulate, const WriteSnapshot& write, Ledger& ledger,
            Status& status, StopFlag& flag, const ExecutorOptions& options)
-      : jobs_(std::move(jobs)),
+      : queue_(std::move(jobs)),
+        server_(simulate, write, options.results),
         simulate_(simulate),
         write_(write),
         ledger_(ledger),
         status_(status),
         flag_(flag),
-        options_(options) {
-    std::ranges::stable_sort(jobs_, std::ranges::greater{}, &Job::predicted_seconds);
-  }
+        options_(options) {}
 
   ExecutorReport run() {
-    const unsigned count = worker_count(options_, jobs_.size());
+    active_ = worker_count(options_, queue_.jobs().size());
     std::vector<std::thread> threads;
-    for (unsigned i = 0; i < count; ++i) threads.emplace_back([this] { work(); });
+    for (unsigned i = 0, count = active_; i < count; ++i) threads.emplace_back([this] { work(); });
+    wait_for_workers();
     for (auto& thread : threads) thread.join();
-    report_.untouched += static_cast<std::int64_t>(jobs_.size() - std::min(next_.load(), jobs_.size()));
+    report_.untouched += static_cast<std::int64_t>(queue_.left());
+    report_.budget_spent = report_.untouched > 0 && budget_spent() && !flag_.wanted();
     if (error_) std::rethrow_exception(error_);
     ledger_.flush();
     return report_;
@@ -78,74 +52,117 @@ class Executor {
 
  private:
   bool stopping() const { return stop_.load(std::memory_order_relaxed) || flag_.wanted(); }
+  bool budget_spent() const {
+    return options_.budget_s > 0 && Clock::now() - start_ > milliseconds(options_.budget_s);
+  }
+
+  void wait_for_workers() {
+    std::unique_lock lock(mutex_);
+    std::optional<Clock::time_point> asked;
+    while (active_ > 0) {
+      ended_.wait_for(lock, std::chrono::milliseconds(50));
+      if (!flag_.wanted()) continue;
+      if (!asked) asked = Clock::now();
+      if (options_.abandon && active_ > 0 && Clock::now() - *asked > milliseconds(options_.grace_s)) {
+        auto report = report_;
+        const auto running = running_;
+        lock.unlock();
+        abandon(std::move(report), running);
+        lock.lock();
+        asked = Clock::now();
+      }
+    }
+  }
+
+  /// The jobs go back before the process ends, or the next start would take them for crashed.
+  void abandon(ExecutorReport report, const std::set<std::string>& running) {
+    for (const auto& key : running) ledger_.release(key, "stopped");
+    ledger_.flush();
+    report.stopped += static_cast<std::int64_t>(running.size());
+    report.untouched += static_cast<std::int64_t>(queue_.left());
+    options_.abandon(report);
+  }
 
   void work() noexcept {
     try {
-      while (!stopping()) {
-        const std::size_t i = next_.fetch_add(1);
-        if (i >= jobs_.size()) return;
-        run_job(jobs_[i]);
-      }
+      while (const Job* job = queue_.next([this] { return stopping() || budget_spent(); })) ask_for(*job);
     } catch (...) {
       std::lock_guard lock(mutex_);
       if (!error_) error_ = std::current_exception();
       stop_ = true;
     }
+    std::lock_guard lock(mutex_);
+    --active_;
+    ended_.notify_one();
   }
 
-  void run_job(const Job& job) {
-    if (!ledger_.claim(job.key)) {
+  void ask_for(const Job& job) {
+    const JobClaim claim = ledger_.claim(job.key);
+    if (claim) return run_job(job, claim.crashes > 0 || options_.limits.memory > 0);
+    if (claim.status == JobStatus::running) return queue_.put_off(&job, milliseconds(options_.look_again_s));
+    std::lock_guard lock(mutex_);
+    ++(claim.status == JobStatus::done     ? report_.done_elsewhere
+       : claim.status == JobStatus::failed ? report_.failed_elsewhere
+                                           : report_.untouched);
+  }
+
+  /// Attempts until the job is decided or let go.
+  void run_job(const Job& job, bool isolated) {
+    {
       std::lock_guard lock(mutex_);
-      ++report_.elsewhere;
-      return;
+      running_.insert(job.key);
     }
     status_.job_started(job);
-    const auto wall = Clock::now();
-    const double cpu = thread_cpu_seconds();
-    FinishedJob finished;
-    finished.key = job.key;
-    try {
-      JobFiles files(options_.results, job.key, write_);
-      finished.result = simulate(job, files);
-      if (finished.result.status == mpm::RunStatus::stopped) {
-        files.discard();
-        let_go(job, "");
-        return;
+    for (std::int64_t retry = 0;;) {
+      Attempt attempt = make_attempt(job, isolated);
+      using enum Attempt::End;
+      if (attempt.end == stopped) return let_go(job, "");
+      if (attempt.end == storage) return stop_for_storage(job, attempt.why);
+      if (attempt.end == crashed) {
+        if (stopping()) return let_go(job, "");
+        const auto crashes = ledger_.crashed(job.key);
+        attempt.job.reason = fmt::format("{}; it has crashed {} times", attempt.why, crashes);
+        if (crashes < options_.most_crashes) {
+          if (!again(job, attempt.job.reason)) return;
+          continue;
+        }
       }
-      finished.snapshots = files.close();
-    } catch (const StorageError& error) {
-      let_go(job, error.what());
-      std::lock_guard lock(mutex_);
-      if (report_.storage_error.empty()) report_.storage_error = error.what();
-      stop_ = true;
-      return;
-    }
-    finished.wall_s = seconds_since(wall);
-    finished.cpu_s = thread_cpu_seconds() - cpu;
-    decide(job, std::move(finished));
-  }
-
-  /// A breakdown is a value; whatever a simulation throws is made one.
-  mpm::RunResult simulate(const Job& job, JobFiles& files) {
-    JobObserver observer(job, files, status_, stop_, flag_);
-    try {
-      return simulate_(job.scene, observer);
-    } catch (const StorageError&) {
-      throw;
-    } catch (const std::bad_alloc&) {
-      return failure("out of memory");
-    } catch (const std::exception& error) {
-      return failure(error.what());
-    } catch (...) {
-      return failure("an exception that is not a std::exception");
+      if (attempt.job.failure && retry < options_.retries) {
+        ++retry;
+        if (!again(job, fmt::format("retry {} of {}: {}", retry, options_.retries, attempt.job.reason)))
+          return;
+        continue;
+      }
+      return decide(job, std::move(attempt.job));
     }
   }
 
-  static mpm::RunResult failure(std::string reason) {
-    mpm::RunResult result;
-    result.status = mpm::RunStatus::failed;
-    result.reason = std::move(reason);
-    return result;
+  Attempt make_attempt(const Job& job, bool isolated) {
+    const AttemptContext context{simulate_,
+                                 write_,
+                                 options_.results,
+                                 options_.limits,
+                                 [this] { return stopping(); },
+                                 [&](const mpm::Progress& p) { status_.job_progress(job, p); }};
+    if (!isolated) return attempt_job(job, context);
+    return server_.attempt(job, context);
+  }
+
+  /// running -> planned -> running: a new attempt. False if another process was quicker.
+  bool again(const Job& job, const std::string& why) {
+    ledger_.release(job.key, why);
+    JobEnd end;
+    end.status = JobStatus::planned;
+    end.reason = why;
+    status_.job_finished(job, end);
+    if (ledger_.claim(job.key)) {
+      status_.job_started(job);
+      return true;
+    }
+    std::lock_guard lock(mutex_);
+    running_.erase(job.key);
+    queue_.put_off(&job, milliseconds(options_.look_again_s));
+    return false;
   }
 
   /// why: "" if the run was asked to stop.
@@ -156,37 +173,48 @@ class Executor {
     end.reason = why;
     status_.job_finished(job, end);
     std::lock_guard lock(mutex_);
+    running_.erase(job.key);
     ++report_.stopped;
   }
 
+  void stop_for_storage(const Job& job, const std::string& why) {
+    let_go(job, why);
+    std::lock_guard lock(mutex_);
+    if (report_.storage_error.empty()) report_.storage_error = why;
+    stop_ = true;
+  }
+
   void decide(const Job& job, FinishedJob finished) {
-    const bool failed = finished.result.status == mpm::RunStatus::failed;
-    finished.status = failed ? JobStatus::failed : JobStatus::done;
-    finished.reason = finished.result.reason;
-    if (failed && finished.reason.empty()) finished.reason = "failed without a reason";
+    const bool failed = finished.status == JobStatus::failed;
     JobEnd end{finished.status,       finished.reason, finished.result.particles,
                finished.result.steps, finished.wall_s, finished.cpu_s};
     ledger_.finish(std::move(finished));
     status_.job_finished(job, end);
     std::lock_guard lock(mutex_);
+    running_.erase(job.key);
     ++(failed ? report_.failed : report_.done);
     report_.updates += end.updates();
     report_.cpu_s += end.cpu_s;
+    if (!failed) report_.predicted_s += job.predicted_seconds;
   }
 
-  std::vector<Job> jobs_;
+  JobQueue queue_;
+  JobServer server_;  // before any thread
   const Simulate& simulate_;
   const WriteSnapshot& write_;
   Ledger& ledger_;
   Status& status_;
   const StopFlag& flag_;
   const ExecutorOptions& options_;
+  const Clock::time_point start_ = Clock::now();
 
-  std::atomic<std::size_t> next_{0};
   std::atomic<bool> stop_{false};
   std::mutex mutex_;
-  ExecutorReport report_;     // guarded by mutex_
-  std::exception_ptr error_;  // guarded by mutex_
+  std::condition_variable ended_;
+  unsigned active_ = 0;            // guarded by mutex_; workers
+  std::set<std::string> running_;  // guarded by mutex_; keys
+  ExecutorReport report_;          // guarded by mutex_
+  std::exception_ptr error_;       // guarded by mutex_
 };
 
 }  // namespace
@@ -198,6 +226,10 @@ unsigned worker_count(const ExecutorOptions& options, std::size_t jobs) {
 
 ExecutorReport execute_jobs(std::vector<Job> jobs, const Simulate& simulate, const WriteSnapshot& write,
                             Ledger& ledger, Status& status, StopFlag& flag, const ExecutorOptions& options) {
+  if (jobs.empty()) {
+    ledger.flush();
+    return {};
+  }
   return Executor(std::move(jobs), simulate, write, ledger, status, flag, options).run();
 }
 

@@ -1,11 +1,8 @@
 #include "runner/exec/job_files.hpp"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
-#include <fstream>
-#include <memory>
-
+#include "runner/catalog/field_files.hpp"
 #include "runner/catalog/output_file.hpp"
 
 namespace mpmstudy {
@@ -50,20 +47,6 @@ void JobFiles::discard() noexcept {
 
 std::string snapshot_name(std::size_t index, double time) {
   return fmt::format("{:03}_{:.3f}ns.vtkhdf", index, time * 1e9);
-}
-
-std::string checksum_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
-  XXH3_128bits_reset(state.get());
-  std::vector<char> block(1 << 16);
-  while (file) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    XXH3_128bits_update(state.get(), block.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  if (!file.eof()) throw StorageError(path.string() + ": cannot be read");
-  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
 }  // namespace mpmstudy

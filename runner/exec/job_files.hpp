@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libmpm/simulation.hpp"
+#include "runner/catalog/field_files.hpp"
 #include "runner/catalog/records.hpp"
 
 namespace mpmstudy {
@@ -41,8 +42,5 @@ class JobFiles {
 
 /// "003_2.200ns.vtkhdf"
 std::string snapshot_name(std::size_t index, double time);
-
-/// XXH3-128 of a file's bytes as 32 hexadecimal digits. Throws StorageError.
-std::string checksum_of(const std::filesystem::path&);
 
 }  // namespace mpmstudy

@@ -10,9 +10,13 @@ namespace mpmstudy {
 class Ledger {
  public:
   virtual ~Ledger() = default;
-  /// True if the job is now this process's to run; on record before this returns.
-  virtual bool claim(const std::string& key) = 0;
-  /// The job is decided. Its files must be on disk. Taken by value: the worker goes on at once.
+  /// Asks to run a job; on record before this returns. A job whose process is gone is taken up.
+  virtual JobClaim claim(const std::string& key) = 0;
+  /// The job's own process, which this one had started, died; the job stays this one's. Gives back how often
+  /// that has happened to it.
+  virtual std::int64_t crashed(const std::string& key) = 0;
+  /// The job is decided. Its files must be on disk. Taken by value: the worker goes on at once. The result of
+  /// a job that another process has taken up meanwhile is dropped.
   virtual void finish(FinishedJob) = 0;
   /// The job is stopped and planned again.
   virtual void release(const std::string& key, const std::string& reason) = 0;

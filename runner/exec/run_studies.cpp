@@ -18,8 +18,10 @@ std::vector<Job> register_all(std::span<const PlannedStudy> studies, bool retry_
   std::unordered_set<std::string> seen;
   for (const auto& study : studies) {
     const auto jobs = first_jobs(study.plan);
-    const auto registered = writer.register_study(study.plan.study, study.title, jobs, retry_failed);
+    const auto registered =
+        writer.register_study(study.plan.study, study.title, jobs, retry_failed, study.source);
     start.taken_up += registered.taken_up;
+    start.damaged += registered.damaged;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       if (!seen.insert(jobs[i].key).second) continue;
       switch (registered.states[i]) {
@@ -29,10 +31,7 @@ std::vector<Job> register_all(std::span<const PlannedStudy> studies, bool retry_
         case JobStatus::failed:
           ++report.left_failed;
           break;
-        case JobStatus::running:
-          ++report.elsewhere;
-          break;
-        default:
+        default:  // running by another process: until that one is done with it, or gone
           to_run.push_back(jobs[i]);
           start.predicted_seconds += jobs[i].predicted_seconds;
       }
@@ -46,9 +45,12 @@ ExecutorReport sum_of(ExecutorReport sum, const ExecutorReport& more) {
   sum.failed += more.failed;
   sum.stopped += more.stopped;
   sum.untouched += more.untouched;
-  sum.elsewhere += more.elsewhere;
+  sum.done_elsewhere += more.done_elsewhere;
+  sum.failed_elsewhere += more.failed_elsewhere;
   sum.updates += more.updates;
   sum.cpu_s += more.cpu_s;
+  sum.predicted_s += more.predicted_s;
+  sum.budget_spent = sum.budget_spent || more.budget_spent;
   if (sum.storage_error.empty()) sum.storage_error = more.storage_error;
   return sum;
 }
@@ -73,16 +75,34 @@ void climb_ladders(std::span<const PlannedStudy> studies, bool retry_failed, Cat
 std::string stop_reason(const RunReport& report) {
   if (!report.executed.storage_error.empty()) return report.executed.storage_error;
   if (report.left() == 0) return {};
+  if (report.executed.budget_spent) return "the budget is spent";
   if (report.signal == SIGINT) return "interrupted";
   if (report.signal != 0) return "asked to end by signal " + std::to_string(report.signal);
-  return "another process runs the jobs that are left";
+  return "another run has changed the study";
+}
+
+RunEnd end_of(const RunReport& report, const ExecutorOptions& options,
+              std::chrono::steady_clock::time_point begin) {
+  const ExecutorReport& executed = report.executed;
+  RunEnd end;
+  end.done = executed.done + executed.done_elsewhere;
+  end.failed = executed.failed + executed.failed_elsewhere + report.left_failed;
+  end.reused = report.reused;
+  end.left = report.left();
+  end.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (executed.cpu_s > 0) end.updates_per_second = executed.updates / executed.cpu_s;
+  end.predicted_s = executed.predicted_s;
+  end.cpu_s = executed.cpu_s;
+  end.catalog = catalog_path(options.results).string();
+  end.stop_reason = stop_reason(report);
+  return end;
 }
 
 }  // namespace
 
 int RunReport::exit_code() const {
   if (left() > 0) return signal == SIGINT ? 130 : 75;
-  return executed.failed + left_failed > 0 ? 1 : 0;
+  return executed.failed + executed.failed_elsewhere + left_failed > 0 ? 1 : 0;
 }
 
 RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, CatalogWriter& writer,
@@ -92,29 +112,28 @@ RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, 
   RunReport report;
   RunStart start;
   auto jobs = register_all(studies, retry_failed, writer, report, start);
+  writer.sweep_files();
   start.jobs = static_cast<std::int64_t>(jobs.size());
   start.reused = report.reused;
   start.left_failed = report.left_failed;
   start.workers = worker_count(options, jobs.size());
   status.run_started(start);
 
+  ExecutorOptions with_end = options;
+  if (options.abandon)
+    with_end.abandon = [&](const ExecutorReport& executed) {
+      report.executed = sum_of(report.executed, executed);
+      report.signal = flag.signal();
+      status.run_finished(end_of(report, options, begin));
+      options.abandon(executed);
+    };
   const auto execute = [&](std::vector<Job> some) {
-    return execute_jobs(std::move(some), simulate, write, writer, status, flag, options);
+    return execute_jobs(std::move(some), simulate, write, writer, status, flag, with_end);
   };
   report.executed = execute(std::move(jobs));
   climb_ladders(studies, retry_failed, writer, status, report, execute, options.results);
   report.signal = flag.signal();
-
-  RunEnd end;
-  end.done = report.executed.done;
-  end.failed = report.executed.failed + report.left_failed;
-  end.reused = report.reused;
-  end.left = report.left();
-  end.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (report.executed.cpu_s > 0) end.updates_per_second = report.executed.updates / report.executed.cpu_s;
-  end.catalog = catalog_path(options.results).string();
-  end.stop_reason = stop_reason(report);
-  status.run_finished(end);
+  status.run_finished(end_of(report, options, begin));
   return report;
 }
 

@@ -13,21 +13,22 @@ namespace mpmstudy {
 struct PlannedStudy {
   Plan plan;
   std::string title;
+  StudySource source = {};
 };
 
 struct RunReport {
   ExecutorReport executed;
   std::int64_t reused = 0;       ///< done before
   std::int64_t left_failed = 0;  ///< failed before and left so
-  std::int64_t elsewhere = 0;    ///< run by another process just now
   int signal = 0;                ///< that stopped the run, or 0
 
-  std::int64_t left() const { return executed.stopped + executed.untouched + executed.elsewhere + elsewhere; }
+  std::int64_t left() const { return executed.left(); }
   /// 0 all decided, 1 some jobs failed, 75 stopped with work left, 130 interrupted.
   int exit_code() const;
 };
 
-/// Studies share their jobs: a key is run once. Their jobs are one queue. Throws CatalogError.
+/// Studies share their jobs: a key is run once. Their jobs are one queue. Jobs that another process runs are
+/// waited for. Throws CatalogError.
 RunReport run_studies(std::span<const PlannedStudy>, bool retry_failed, CatalogWriter&, Status&,
                       const Simulate&, const WriteSnapshot&, StopFlag&, const ExecutorOptions&);
 

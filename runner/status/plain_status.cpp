@@ -116,6 +116,9 @@ std::string start_text(const RunStart& start) {
   if (start.reused > 0) text += fmt::format("{} done already\n", counted(start.reused, "job"));
   if (start.taken_up > 0)
     text += fmt::format("{} taken up from a process that is gone\n", counted(start.taken_up, "job"));
+  if (start.damaged > 0)
+    text += fmt::format("{} to run again: a file of fields is missing or damaged\n",
+                        counted(start.damaged, "job"));
   if (start.left_failed > 0)
     text += fmt::format("{} failed before, left so; --retry-failed runs failed jobs again\n",
                         counted(start.left_failed, "job"));
@@ -129,6 +132,9 @@ std::string end_text(const RunEnd& end) {
   if (end.updates_per_second > 0)
     text += fmt::format("; {} particle updates on each core", readable_rate(end.updates_per_second));
   text += "\n";
+  if (end.predicted_s > 0 && end.cpu_s > 0)
+    text += fmt::format("predicted {} of one core, took {}\n", readable_duration(end.predicted_s),
+                        readable_duration(end.cpu_s));
   if (!end.stop_reason.empty()) text += "stopped: " + end.stop_reason + "; run again to go on\n";
   return text + "catalog: " + end.catalog + "\n";
 }

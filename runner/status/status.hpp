@@ -17,6 +17,7 @@ struct RunStart {
   std::int64_t taken_up = 0;     ///< of jobs: left behind by a process that is gone
   double predicted_seconds = 0;  ///< sum over the jobs to run, on one core
   unsigned workers = 1;
+  std::int64_t damaged = 0;  ///< of jobs: were done, but files of theirs are missing or damaged
 };
 
 /// How one job ended: done, failed, or planned (again) if it was stopped.
@@ -38,6 +39,8 @@ struct RunEnd {
   double updates_per_second = 0;  ///< particle updates a second and core
   std::string catalog;            ///< path
   std::string stop_reason;        ///< "" if all was decided
+  double predicted_s = 0;         ///< of the jobs that are done now, on one core [s]
+  double cpu_s = 0;               ///< that they took [s]
 };
 
 class Status {

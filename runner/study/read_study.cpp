@@ -134,6 +134,7 @@ class Reader {
     if (entry.key == "cell_size" && options_.cells != 1) scale_cells(*axis);
     if (!axis->swept && entry.place.line > 0) fixed_.push_back(entry.key);
     study_.given.push_back(entry.key);
+    study_.places.push_back(entry.value.place.text());
     request_.axes.push_back(std::move(*axis));
   }
 

@@ -64,10 +64,11 @@ struct Study {
   std::string name;
   std::string title;
   mpm::SceneKind kind{};
-  std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
-  std::vector<std::string> given;  ///< names of everything the file sets, swept or not; the rest is default
-  std::vector<mpm::Scene> scenes;  ///< one per job, in the order of the sweep, every one without problems
-  LadderRequest ladder;            ///< under every scene, whose cell is one end of it
+  std::vector<std::string> swept;   ///< names of the swept quantities and choices, in file order
+  std::vector<std::string> given;   ///< names of everything the file sets, swept or not; the rest is default
+  std::vector<std::string> places;  ///< of given, where each is said: "studies/a.toml:12:16", "--set"
+  std::vector<mpm::Scene> scenes;   ///< one per job, in the order of the sweep, every one without problems
+  LadderRequest ladder;             ///< under every scene, whose cell is one end of it
   std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;

@@ -60,6 +60,13 @@ TEST_F(HealthTest, AllowsSinglePressuresBeyondTheEquationOfState) {
   EXPECT_THAT(said(), HasSubstr("1.1 % of the mass is beyond the equation of state"));
 }
 
+// Or the run would go on for ever, in steps that become shorter and shorter.
+TEST_F(HealthTest, CatchesASignalThatNothingPhysicalHas) {
+  report.largest_signal = 1e6;
+  dt = 0.4 * 0.2e-6 / report.largest_signal;
+  EXPECT_THAT(said(), HasSubstr("the fastest signal is 1e+06 m/s"));
+}
+
 TEST_F(HealthTest, CatchesAStepThatIsTooLong) {
   dt = 1.01 * state.grid.cell().minCoeff() / report.largest_signal;
   EXPECT_THAT(said(), HasSubstr("the time step was too long: CFL number 1.01, allowed 1"));

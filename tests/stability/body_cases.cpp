@@ -130,6 +130,29 @@ Outcome apart() {
   return judge(go(scene, s), 0.02);
 }
 
+/// Two halves of a block, a micrometre apart, meet at twice the speed; then the release tears them again.
+Outcome meeting() {
+  constexpr double speed = 300, cell = 0.2 * um;
+  const mpm::Scene scene = frame(speed, cell, 40 * ns);
+  mpm::State s = nothing({0, 0}, {cell, cell}, 20);
+  const auto towards = [=](const Vec2& x) { return Vec2(0, x.y() < 8 * um ? speed : -speed); };
+  const auto inside = [](const Vec2& x) { return std::abs(x.y() - 8 * um) > 0.5 * um; };
+  fill(s, scene, {1 * um, 6 * um}, {2 * um, 4 * um}, 2, inside, towards);
+  return judge(go(scene, s), 0.02);
+}
+
+/// A bar whose ends part at 2 km/s: fivefold after 20 ns.
+Outcome pulled(mpm::Tension tension) {
+  constexpr double speed = 1000, cell = 0.2 * um;
+  mpm::Scene scene = frame(speed, cell, 20 * ns);
+  scene.material.tension = tension;
+  scene.material.spall_strength = 1e9;
+  mpm::State s = nothing({0, 0}, {cell, cell}, 20);
+  fill(s, scene, {1 * um, 20 * um}, {2 * um, 8 * um}, 2, everywhere,
+       [=](const Vec2& x) { return Vec2(0, speed * (x.y() - 24 * um) / (4 * um)); });
+  return judge(go(scene, s), 0.02);
+}
+
 Outcome alone(double speed) {
   constexpr double cell = 0.2 * um;
   const mpm::Scene scene = frame(std::abs(speed), cell, 10 * ns);
@@ -225,6 +248,15 @@ std::vector<Case> body_cases() {
       {"turning", "100 turns", "holds", "objective rates, and a transfer that damps rotation", 2e8, turning},
       {"flying", "1000 cells", "holds", "uniform motion has no quadrature error", 2e7, flying},
       {"cut in two", "halves fly 1000 cells apart", "holds", "the grid between is empty", 2e7, apart},
+      {"halves meet", "at 600 m/s", "holds", "re-impact: bodies that were apart share nodes again", 1e6,
+       meeting},
+      {"pulled bar", "tension = polynomial", "holds",
+       "stretched fivefold: necks, and particles by themselves", 1e6,
+       [] { return pulled(mpm::Tension::polynomial); }},
+      {"pulled bar", "tension = linear", "holds", "stretched fivefold: necks, and particles by themselves",
+       1e6, [] { return pulled(mpm::Tension::linear); }},
+      {"pulled bar", "tension = cutoff", "holds", "stretched fivefold: necks, and particles by themselves",
+       1e6, [] { return pulled(mpm::Tension::cutoff); }},
       {"one cell alone", "away from the wall", "holds", "all nodes have a share of a mass", 1e5,
        [] { return alone(1000); }},
       {"one cell alone", "onto the wall", "holds", "contact of next to nothing", 1e5,

@@ -5,10 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
-#include <ctime>
 #include <exception>
 #include <thread>
 
+#include "runner/exec/thread_clock.hpp"
 #include "tests/stability/case.hpp"
 
 namespace {
@@ -16,14 +16,8 @@ namespace {
 using stability::Case;
 using stability::Outcome;
 
-double thread_cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 Outcome run_timed(const Case& c) {
-  const double start = thread_cpu_seconds();
+  const double start = mpmstudy::thread_cpu_seconds();
   Outcome o;
   try {
     o = c.run();
@@ -31,7 +25,7 @@ Outcome run_timed(const Case& c) {
     o.verdict = "threw";
     o.note = error.what();
   }
-  o.cpu_s = thread_cpu_seconds() - start;
+  o.cpu_s = mpmstudy::thread_cpu_seconds() - start;
   return o;
 }
 

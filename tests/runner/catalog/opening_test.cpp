@@ -1,6 +1,9 @@
 // Opening: what is made, what is migrated, what is refused and left as it is.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <fstream>
@@ -10,6 +13,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
+#include "runner/catalog/reader.hpp"
 #include "tests/runner/fakes.hpp"
 
 namespace mpmstudy {
@@ -196,6 +200,22 @@ TEST_F(Opening, many_at_once_make_one_catalog) {
   EXPECT_EQ(integer(*open_for_reading(results), "PRAGMA user_version"), version);
   for (const auto& entry : fs::directory_iterator(results))
     EXPECT_THAT(entry.path().string(), Not(HasSubstr("backup")));
+}
+
+TEST_F(Opening, a_catalog_that_was_being_made_when_the_process_was_killed_is_finished_by_the_next) {
+  fs::create_directories(results);
+  const pid_t child = fork();
+  if (child == 0) {  // dies in its first transaction, when a page of it is on disk
+    SQLite::Database db(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    db.exec("PRAGMA cache_size = 1; BEGIN IMMEDIATE; CREATE TABLE t (a)");
+    for (int i = 0; i < 100; ++i) db.exec("INSERT INTO t VALUES (randomblob(4000))");
+    kill(getpid(), SIGKILL);
+  }
+  waitpid(child, nullptr, 0);
+  ASSERT_TRUE(fs::exists(path.string() + "-journal"));
+  EXPECT_THROW(open_for_reading(results), UnfinishedCatalog);
+  EXPECT_FALSE(measured_updates_per_second(results));  // the first that `run` asks
+  EXPECT_EQ(integer(*open_for_writing(results), "PRAGMA user_version"), version);
 }
 
 TEST_F(Opening, reading_needs_a_catalog) {

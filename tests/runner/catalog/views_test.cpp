@@ -52,7 +52,10 @@ TEST_F(Views, jobs) {
                          "started_at",
                          "finished_at",
                          "predicted_s",
-                         "particle_updates_per_s"};
+                         "particle_updates_per_s",
+                         "failure_kind",
+                         "crashes",
+                         "stale"};
   ASSERT_GT(names.size(), results.size());
   EXPECT_EQ(Names(names.end() - static_cast<long>(results.size()), names.end()), results);
 }
@@ -75,7 +78,7 @@ TEST_F(Views, others) {
                    "measuring_error", "measuring_difference", "scatter", "wanted_error", "reached"}));
   EXPECT_EQ(columns("ladders"), (Names{"study", "key", "position", "rung_key", "cell_size_m", "status",
                                        "quantity", "value", "unit", "measuring_error"}));
-  EXPECT_EQ(columns("studies"), (Names{"name", "title", "updated_at"}));
+  EXPECT_EQ(columns("studies"), (Names{"name", "title", "updated_at", "path", "overrides"}));
 }
 
 TEST_F(Views, every_column_is_documented) {

@@ -6,9 +6,12 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/field_files.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/catalog/writer.hpp"
@@ -42,6 +45,8 @@ TEST_F(Writer, a_job_goes_from_planned_to_done_once) {
   EXPECT_EQ(registration.to_run, (std::vector{fakes::key(1), fakes::key(2)}));
   EXPECT_TRUE(writer.claim(fakes::key(1)));
   EXPECT_FALSE(writer.claim(fakes::key(1)));
+  std::filesystem::create_directories(folder.path() / "fields" / fakes::key(1));
+  std::ofstream(folder.path() / finished(plan.jobs[0]).snapshots[0].path) << "ten bytes!";
   writer.finish(finished(plan.jobs[0]));
   writer.flush();
   EXPECT_EQ(count("jobs WHERE status = 'done' AND wall_s = 1.5 AND cpu_s = 1.25"), 1);
@@ -140,9 +145,9 @@ TEST_F(Writer, two_writers_never_claim_the_same_job) {
   a.register_study("s", "S", jobs, false);
   std::atomic<int> claimed = 0;
   std::thread other([&] {
-    for (const auto& job : jobs) claimed += b.claim(job.key);
+    for (const auto& job : jobs) claimed += b.claim(job.key).mine;
   });
-  for (const auto& job : jobs) claimed += a.claim(job.key);
+  for (const auto& job : jobs) claimed += a.claim(job.key).mine;
   other.join();
   EXPECT_EQ(claimed, 50);
   EXPECT_EQ(a.register_study("s", "S", jobs, false).running_elsewhere, 50);
@@ -162,7 +167,117 @@ TEST_F(Writer, jobs_of_a_process_that_is_gone_are_planned_again) {
   EXPECT_EQ(count("events WHERE from_status = 'running' AND to_status = 'planned' AND reason LIKE '%gone%'"),
             1);
   zombie.finish(finished(jobs[0]));  // too late: the job is not its own any longer
-  EXPECT_THROW(zombie.flush(), CatalogError);
+  zombie.flush();
+  EXPECT_EQ(count("jobs WHERE status = 'planned' AND crashes = 1"), 1);
+  EXPECT_EQ(count("metrics"), 0);
+}
+
+TEST_F(Writer, a_claim_takes_up_a_job_whose_process_is_gone_meanwhile) {
+  const auto jobs = fakes::plan(2).jobs;
+  WriterOptions options;
+  const pid_t child = fork();
+  if (child == 0) pause();
+  options.store.process.pid = child;  // this process, but for its number and its start
+  options.store.process.process_start = process_with(child).process_start;
+  CatalogWriter mortal(folder.path(), options);
+  mortal.register_study("s", "S", jobs, false);
+  ASSERT_TRUE(mortal.claim(jobs[0].key));
+  CatalogWriter writer(folder.path());
+  EXPECT_EQ(writer.claim(jobs[0].key).status, JobStatus::running);
+  kill(child, SIGKILL);
+  EXPECT_EQ(writer.claim(jobs[1].key).crashes, 0);
+  waitpid(child, nullptr, 0);
+  const auto claim = writer.claim(jobs[0].key);
+  EXPECT_TRUE(claim);
+  EXPECT_EQ(claim.crashes, 1);
+  EXPECT_EQ(count("events WHERE reason LIKE '%gone%'"), 1);
+}
+
+TEST_F(Writer, a_claim_says_what_the_job_is_that_it_does_not_get) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(1).jobs;
+  writer.register_study("s", "S", jobs, false);
+  ASSERT_TRUE(writer.claim(jobs[0].key));
+  writer.finish(finished(jobs[0]));
+  EXPECT_EQ(writer.claim(jobs[0].key).status, JobStatus::done);
+  EXPECT_FALSE(writer.claim("unknown"));
+}
+
+TEST_F(Writer, the_kind_of_a_failure_is_kept_and_goes_with_it) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(1).jobs;
+  writer.register_study("s", "S", jobs, false);
+  writer.claim(jobs[0].key);
+  EXPECT_EQ(writer.crashed(jobs[0].key), 1);
+  auto f = finished(jobs[0]);
+  f.status = JobStatus::failed;
+  f.failure = FailureKind::timeout;
+  writer.finish(f);
+  writer.flush();
+  EXPECT_EQ(one("SELECT failure_kind || crashes FROM jobs"), SqlValue("timeout1"));
+  writer.register_study("s", "S", jobs, true);
+  EXPECT_EQ(one("SELECT failure_kind FROM jobs"), SqlValue());
+}
+
+TEST_F(Writer, orphans_are_swept_and_nothing_else) {
+  CatalogWriter writer(folder.path());
+  const auto jobs = fakes::plan(3).jobs;
+  writer.register_study("s", "S", jobs, false);
+  writer.claim(jobs[0].key);
+  writer.claim(jobs[1].key);
+  writer.finish(finished(jobs[0]));
+  namespace fs = std::filesystem;
+  for (const auto& key : {jobs[0].key, jobs[1].key, jobs[2].key, std::string("nobody")}) {
+    fs::create_directories(folder.path() / "fields" / key);
+    std::ofstream(folder.path() / "fields" / key / "file.tmp") << "x";
+  }
+  EXPECT_EQ(writer.sweep_files(), 2);
+  EXPECT_TRUE(fs::exists(folder.path() / "fields" / jobs[0].key));   // done
+  EXPECT_TRUE(fs::exists(folder.path() / "fields" / jobs[1].key));   // running
+  EXPECT_FALSE(fs::exists(folder.path() / "fields" / jobs[2].key));  // planned
+}
+
+/// Writes a file of fields, and has the job done with it.
+class FieldFiles : public Writer {
+ protected:
+  FieldFiles() {
+    writer.register_study("s", "S", jobs, false);
+    writer.claim(jobs[0].key);
+    auto f = finished(jobs[0]);
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << "ten bytes!";
+    f.snapshots[0].checksum = checksum_of(path);
+    writer.finish(f);
+    writer.flush();
+  }
+  /// Registers again: is the job to run?
+  std::int64_t damaged() { return writer.register_study("s", "S", jobs, false).damaged; }
+
+  CatalogWriter writer{folder.path()};
+  const std::vector<Job> jobs = fakes::plan(1).jobs;
+  const std::filesystem::path path = folder.path() / finished(jobs[0]).snapshots[0].path;
+};
+
+TEST_F(FieldFiles, what_is_whole_is_left) { EXPECT_EQ(damaged(), 0); }
+
+TEST_F(FieldFiles, a_missing_file_has_its_job_run_again) {
+  std::filesystem::remove(path);
+  EXPECT_EQ(damaged(), 1);
+  EXPECT_EQ(one("SELECT status FROM jobs"), SqlValue("planned"));
+  EXPECT_EQ(count("events WHERE from_status = 'done' AND reason LIKE '%No such file%'"), 1);
+}
+
+TEST_F(FieldFiles, a_file_that_is_cut_short_too) {
+  std::filesystem::resize_file(path, 4);
+  EXPECT_EQ(damaged(), 1);
+  EXPECT_EQ(count("events WHERE reason LIKE '%has 4 bytes, was written with 10%'"), 1);
+}
+
+TEST_F(FieldFiles, and_one_whose_bytes_were_changed) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::ofstream(path) << "ten bytes?";
+  EXPECT_EQ(damaged(), 1);
+  EXPECT_EQ(count("events WHERE reason LIKE '%checksum%'"), 1);
 }
 
 TEST_F(Writer, jobs_of_another_host_are_its_own_while_it_gives_signs_of_life) {

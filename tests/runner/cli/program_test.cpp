@@ -1,61 +1,22 @@
 // The program as a user has it: exit codes, what it prints, signals, the same rows for any -j.
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fcntl.h>
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
 
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
-#include "runner/catalog/row_format.hpp"
-#include "tests/runner/fakes.hpp"
+#include "tests/runner/cli/program.hpp"
+#include "tests/runner/rows_of.hpp"
 
 namespace mpmstudy {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-using Arguments = std::vector<std::string>;
-
-class Program : public testing::Test {
- protected:
-  pid_t start(Arguments arguments) {
-    arguments.insert(arguments.begin(), PROGRAM);
-    const pid_t child = fork();
-    if (child != 0) return child;
-    const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    dup2(file, STDOUT_FILENO);
-    dup2(file, STDERR_FILENO);
-    std::vector<char*> raw;
-    for (auto& argument : arguments) raw.push_back(argument.data());
-    raw.push_back(nullptr);
-    execv(PROGRAM, raw.data());
-    _exit(127);
-  }
-  int wait_for(pid_t child) {
-    int end = 0;
-    waitpid(child, &end, 0);
-    std::ifstream file(log);
-    std::stringstream text;
-    text << file.rdbuf();
-    output = text.str();
-    return WIFEXITED(end) ? WEXITSTATUS(end) : 1000 + WTERMSIG(end);
-  }
-  int run(const Arguments& arguments) { return wait_for(start(arguments)); }
-
-  fakes::TemporaryFolder folder;
-  std::string log = (folder.path() / "log").string();
-  std::string results = (folder.path() / "results").string();
-  std::string smoke = SOURCE_DIR "/studies/smoke.toml";
-  std::string output;
-};
 
 TEST_F(Program, runs_asks_and_exports) {
   ASSERT_EQ(run({"run", smoke, "--results", results, "-j", "2"}), 0) << output;
@@ -95,20 +56,7 @@ TEST_F(Program, any_number_of_workers_gives_the_same_rows) {
   for (const int workers : {1, 2}) {
     const auto here = results + std::to_string(workers);
     ASSERT_EQ(run({"run", smoke, "--results", here, "-j", std::to_string(workers)}), 0) << output;
-    auto& text = texts[workers - 1];
-    for (const char* view : {"jobs", "metrics", "area_history", "snapshots"}) {
-      const auto rows = query(here, std::string("SELECT * FROM ") + view + " ORDER BY 1, 2, 3");
-      static const std::set<std::string> times = {"wall_s",      "cpu_s",       "started_at",
-                                                  "finished_at", "predicted_s", "particle_updates_per_s"};
-      for (const auto& row : rows.rows)
-        for (std::size_t i = 0; i < row.size(); ++i) {
-          if (times.contains(rows.names[i])) continue;
-          std::ostringstream value;
-          const auto sink = make_row_sink(RowFormat::csv, value);
-          sink->row(std::span(&row[i], 1));
-          text += rows.names[i] + "=" + value.str();
-        }
-    }
+    texts[workers - 1] = rows_of(here);
   }
   EXPECT_GT(texts[0].size(), 5000u);
   EXPECT_EQ(texts[0], texts[1]);

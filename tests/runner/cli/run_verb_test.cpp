@@ -7,6 +7,7 @@
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/query.hpp"
+#include "runner/cli/amounts.hpp"
 #include "tests/runner/fakes.hpp"
 
 namespace mpmstudy {
@@ -116,6 +117,42 @@ TEST_F(RunVerb, a_disk_that_refuses_ends_with_75) {
   };
   EXPECT_EQ(run(), exit_stopped);
   EXPECT_THAT(output, testing::HasSubstr("stopped: No space left on device; run again to go on"));
+}
+
+TEST_F(RunVerb, limits_and_retries_reach_the_jobs) {
+  std::atomic<int> failures = 1;
+  seams.simulate = [&](const mpm::Scene& s, mpm::Observer& o) {
+    if (failures-- > 0) throw std::runtime_error("unlucky");
+    return fakes::simulate(s, o);
+  };
+  options.retries = 1;
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_THAT(output, testing::HasSubstr("retry 1 of 1: unlucky"));
+  options.study.set = {"impact_speed=300 m/s"};
+  options.timeout = "1 ms";
+  seams.simulate = [](const mpm::Scene& s, mpm::Observer& o) {
+    return fakes::simulate(s, o, std::chrono::milliseconds(2));
+  };
+  EXPECT_EQ(run(), exit_failed);
+  EXPECT_THAT(output, testing::HasSubstr("ran longer than 0.001 s (step"));
+}
+
+TEST_F(RunVerb, amounts_that_are_none_are_refused_before_anything_is_written) {
+  for (const char* bad : {"-1 s", "3 m", "soon", "0 s"}) {
+    options.timeout = bad;
+    EXPECT_THROW(run(), StudyError) << bad;
+  }
+  options.timeout.clear();
+  for (const char* bad : {"-1 GB", "2 gb", "much", "1e30 TB"}) {
+    options.memory = bad;
+    EXPECT_THROW(run(), StudyError) << bad;
+  }
+  EXPECT_FALSE(std::filesystem::exists(options.results));
+  EXPECT_EQ(read_duration("--budget", "1.5 h"), 5400);
+  EXPECT_EQ(read_duration("--budget", "2h"), 7200);
+  EXPECT_EQ(read_duration("--budget", "90"), 90);
+  EXPECT_EQ(read_bytes("--memory", "1.5 GiB"), 1610612736u);
+  EXPECT_EQ(read_bytes("--memory", "500MB"), 500000000u);
 }
 
 TEST_F(RunVerb, two_studies_need_two_names) {

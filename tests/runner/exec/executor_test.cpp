@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <unistd.h>
+
 #include <csignal>
 #include <map>
 #include <mutex>
@@ -16,11 +18,15 @@ namespace fs = std::filesystem;
 
 class MemoryLedger : public Ledger {
  public:
-  bool claim(const std::string& key) override {
+  JobClaim claim(const std::string& key) override {
     std::lock_guard lock(mutex);
-    if (refuse == key) return false;
+    if (refuse == key) return {false, refusals-- > 0 ? JobStatus::running : JobStatus::done};
     claimed.push_back(key);
-    return true;
+    return {true, JobStatus::running, crashes[key]};
+  }
+  std::int64_t crashed(const std::string& key) override {
+    std::lock_guard lock(mutex);
+    return ++crashes[key];
   }
   void finish(FinishedJob job) override {
     std::lock_guard lock(mutex);
@@ -35,6 +41,8 @@ class MemoryLedger : public Ledger {
 
   std::mutex mutex;
   std::string refuse;
+  int refusals = 0;  // for which another process runs it; then it has decided it
+  std::map<std::string, std::int64_t> crashes;
   bool disk_full = false;
   std::vector<std::string> claimed, released;
   std::map<std::string, FinishedJob> finished;
@@ -44,13 +52,17 @@ class ExecutorTest : public testing::Test {
  protected:
   ExecutorReport run(std::vector<Job> jobs, const Simulate& simulate, unsigned workers = 1,
                      const WriteSnapshot& write = fakes::write_snapshot) {
-    return execute_jobs(std::move(jobs), simulate, write, ledger, status, flag, {folder.path(), workers});
+    options.results = folder.path();
+    options.workers = workers;
+    options.look_again_s = 0.01;
+    return execute_jobs(std::move(jobs), simulate, write, ledger, status, flag, options);
   }
   static mpm::RunResult fake(const mpm::Scene& s, mpm::Observer& o) { return fakes::simulate(s, o); }
   fakes::TemporaryFolder folder;
   MemoryLedger ledger;
   Status status;
   StopFlag flag;
+  ExecutorOptions options;
 };
 
 TEST_F(ExecutorTest, longest_first_and_equal_ones_in_order) {
@@ -87,11 +99,14 @@ TEST_F(ExecutorTest, a_failing_job_does_not_stop_the_others) {
   const auto report = run(fakes::plan(6).jobs, simulate, 2);
   EXPECT_EQ(report.done, 2);
   EXPECT_EQ(report.failed, 4);
-  EXPECT_EQ(ledger.finished.at(fakes::key(1)).reason, "step 7: it broke");
-  EXPECT_EQ(ledger.finished.at(fakes::key(2)).reason, "out of memory");
+  EXPECT_THAT(ledger.finished.at(fakes::key(1)).reason, testing::HasSubstr("step 7: it broke"));
+  EXPECT_EQ(ledger.finished.at(fakes::key(1)).failure, FailureKind::error);
+  EXPECT_THAT(ledger.finished.at(fakes::key(2)).reason, testing::HasSubstr("out of memory"));
+  EXPECT_EQ(ledger.finished.at(fakes::key(2)).failure, FailureKind::memory);
+  EXPECT_EQ(ledger.finished.at(fakes::key(4)).failure, FailureKind::breakdown);
   EXPECT_EQ(ledger.finished.at(fakes::key(4)).reason, "energy error 3 %");
   EXPECT_EQ(ledger.finished.at(fakes::key(4)).result.area_history.size(), 50u);  // what it measured is kept
-  EXPECT_FALSE(report.work_left());
+  EXPECT_EQ(report.left(), 0);
 }
 
 TEST_F(ExecutorTest, a_stop_lets_go_of_running_jobs) {
@@ -125,10 +140,162 @@ TEST_F(ExecutorTest, a_ledger_that_breaks_ends_the_run) {
 
 TEST_F(ExecutorTest, jobs_of_others_are_left_alone) {
   ledger.refuse = fakes::key(2);
-  const auto report = run(fakes::plan(3).jobs, fake);
-  EXPECT_EQ(report.elsewhere, 1);
+  ledger.refusals = 3;
+  const auto report = run(fakes::plan(3).jobs, fake);  // waits until the other process has decided it
+  EXPECT_EQ(ledger.refusals, -1);
+  EXPECT_EQ(report.done_elsewhere, 1);
   EXPECT_EQ(report.done, 2);
-  EXPECT_TRUE(report.work_left());
+  EXPECT_EQ(report.left(), 0);
+}
+
+TEST_F(ExecutorTest, a_stop_ends_the_wait_for_others) {
+  ledger.refuse = fakes::key(1);
+  ledger.refusals = 1 << 30;
+  const auto simulate = [&](const mpm::Scene& s, mpm::Observer& o) {
+    auto result = fakes::simulate(s, o);
+    flag.ask(SIGTERM);
+    return result;
+  };
+  EXPECT_EQ(run(fakes::plan(2).jobs, simulate).untouched, 1);
+}
+
+/// Job 2 fails as often as it is told.
+struct FailsAtFirst {
+  std::shared_ptr<std::atomic<int>> failures;
+  mpm::RunResult operator()(const mpm::Scene& s, mpm::Observer& o) const {
+    if (s.cavity_radius == 1e-6 / 2 && (*failures)-- > 0) throw std::runtime_error("unlucky");
+    return fakes::simulate(s, o);
+  }
+};
+
+TEST_F(ExecutorTest, retries_as_often_as_told) {
+  options.retries = 2;
+  const auto failures = std::make_shared<std::atomic<int>>(2);
+  auto report = run(fakes::plan(3).jobs, FailsAtFirst{failures});
+  EXPECT_EQ(report.done, 3);
+  EXPECT_EQ(std::ranges::count(ledger.claimed, fakes::key(2)), 3);
+  *failures = 3;
+  report = run(fakes::plan(3).jobs, FailsAtFirst{failures});
+  EXPECT_EQ(report.failed, 1);
+}
+
+/// Ten minutes of steps of a millisecond.
+mpm::RunResult endless(const mpm::Scene& s, mpm::Observer& o) {
+  for (int step = 1; step < 600'000; ++step) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (!o.on_step({step, 1e-12 * step, s.end_time, 1e-12, 1234})) {
+      mpm::RunResult stopped;
+      stopped.status = mpm::RunStatus::stopped;
+      return stopped;
+    }
+  }
+  return {};
+}
+
+TEST_F(ExecutorTest, a_job_that_runs_over_its_time_is_failed_where_it_was) {
+  options.limits.seconds = 0.05;
+  const auto report = run({fakes::job(1)}, endless);
+  EXPECT_EQ(report.failed, 1);
+  const auto& job = ledger.finished.at(fakes::key(1));
+  EXPECT_EQ(job.failure, FailureKind::timeout);
+  EXPECT_THAT(job.reason, testing::ContainsRegex("ran longer than 0.05 s \\(step [1-9]"));
+  EXPECT_GT(job.result.steps, 0);
+}
+
+TEST_F(ExecutorTest, a_job_that_needs_too_much_memory_is_failed_and_the_rest_goes_on) {
+  options.limits.memory = 64 << 20;
+  const auto simulate = [](const mpm::Scene& s, mpm::Observer& o) {
+    if (s.cavity_radius == 1e-6 / 2) std::vector<char>(std::size_t{1} << 30).back() = 1;
+    return fakes::simulate(s, o);
+  };
+  const auto report = run(fakes::plan(3).jobs, simulate, 2);
+  EXPECT_EQ(report.done, 2);
+  EXPECT_EQ(ledger.finished.at(fakes::key(2)).failure, FailureKind::memory);
+  EXPECT_THAT(ledger.finished.at(fakes::key(2)).reason, testing::HasSubstr("more than 67108864 bytes"));
+}
+
+TEST_F(ExecutorTest, a_job_that_has_crashed_runs_in_a_process_of_its_own_with_the_same_result) {
+  ledger.crashes[fakes::key(1)] = 1;
+  const auto simulate = [me = getpid()](const mpm::Scene& s, mpm::Observer& o) {
+    auto result = fakes::simulate(s, o);
+    result.steps = getpid() == me;
+    return result;
+  };
+  EXPECT_EQ(run(fakes::plan(2).jobs, simulate).done, 2);
+  auto own = ledger.finished.at(fakes::key(1)), here = ledger.finished.at(fakes::key(2));
+  EXPECT_EQ(own.result.steps, 0);
+  EXPECT_EQ(here.result.steps, 1);
+  const auto expected = fakes::result_of(fakes::scene(1e-6));
+  EXPECT_EQ(own.result.energy_error, expected.energy_error);
+  EXPECT_EQ(own.result.collapsibility, expected.collapsibility);
+  ASSERT_EQ(own.result.area_history.size(), expected.area_history.size());
+  EXPECT_EQ(own.result.area_history[7].void_area, expected.area_history[7].void_area);
+  ASSERT_EQ(own.result.metrics.size(), 2u);
+  EXPECT_EQ(own.result.metrics[0].name, "roundness");
+  EXPECT_EQ(own.result.metrics[0].error, 0.1);
+  ASSERT_EQ(own.snapshots.size(), 2u);
+  EXPECT_EQ(checksum_of(folder.path() / own.snapshots[1].path), own.snapshots[1].checksum);
+}
+
+TEST_F(ExecutorTest, a_job_that_crashes_again_and_again_is_failed_and_the_rest_goes_on) {
+  ledger.crashes[fakes::key(2)] = 1;
+  const auto simulate = [](const mpm::Scene& s, mpm::Observer& o) {
+    if (s.cavity_radius == 1e-6 / 2) std::raise(SIGKILL);
+    return fakes::simulate(s, o);
+  };
+  const auto report = run(fakes::plan(3).jobs, simulate, 2);
+  EXPECT_EQ(report.done, 2);
+  EXPECT_EQ(report.failed, 1);
+  EXPECT_EQ(ledger.crashes[fakes::key(2)], 3);
+  const auto& job = ledger.finished.at(fakes::key(2));
+  EXPECT_EQ(job.failure, FailureKind::crash);
+  EXPECT_THAT(job.reason, testing::HasSubstr("ended by signal 9 (Killed)"));
+}
+
+TEST_F(ExecutorTest, a_process_of_a_job_that_hangs_is_killed) {
+  ledger.crashes[fakes::key(1)] = 1;
+  options.limits.seconds = 0.1;
+  const auto hang = [](const mpm::Scene&, mpm::Observer&) -> mpm::RunResult {
+    while (true) std::this_thread::sleep_for(std::chrono::seconds(1));
+  };
+  EXPECT_EQ(run({fakes::job(1)}, hang).failed, 1);
+  EXPECT_EQ(ledger.finished.at(fakes::key(1)).failure, FailureKind::timeout);
+  // and a stop does not wait for it
+  options.limits.seconds = 0;
+  std::thread soon([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    flag.ask(SIGINT);
+  });
+  EXPECT_EQ(run({fakes::job(1)}, hang).stopped, 1);
+  soon.join();
+}
+
+TEST_F(ExecutorTest, a_worker_that_does_not_let_go_is_abandoned_and_its_job_planned_again) {
+  options.grace_s = 0.1;
+  std::atomic<bool> abandoned = false;
+  options.abandon = [&](const ExecutorReport& report) {
+    EXPECT_EQ(report.stopped, 1);
+    EXPECT_EQ(ledger.released, std::vector{fakes::key(1)});
+    abandoned = true;
+  };
+  const auto deaf = [&](const mpm::Scene& s, mpm::Observer& o) {
+    flag.ask(SIGINT);
+    while (!abandoned) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return fakes::simulate(s, o);
+  };
+  run({fakes::job(1)}, deaf);
+  EXPECT_TRUE(abandoned);
+}
+
+TEST_F(ExecutorTest, a_spent_budget_starts_no_more_jobs) {
+  options.budget_s = 0.02;
+  const auto slow = [](const mpm::Scene& s, mpm::Observer& o) {
+    return fakes::simulate(s, o, std::chrono::milliseconds(5));
+  };
+  const auto report = run(fakes::plan(5).jobs, slow);
+  EXPECT_EQ(report.done, 1);
+  EXPECT_EQ(report.untouched, 4);
+  EXPECT_TRUE(report.budget_spent);
 }
 
 TEST_F(ExecutorTest, what_an_earlier_attempt_left_is_swept) {
@@ -141,10 +308,14 @@ TEST_F(ExecutorTest, what_an_earlier_attempt_left_is_swept) {
 }
 
 TEST_F(ExecutorTest, no_more_workers_than_jobs) {
-  EXPECT_EQ(worker_count({"results", 8}, 3), 3u);
-  EXPECT_EQ(worker_count({"results", 2}, 3), 2u);
-  EXPECT_EQ(worker_count({"results", 2}, 0), 1u);
-  EXPECT_GE(worker_count({"results", 0}, 100), 1u);
+  const auto count = [&](unsigned workers, std::size_t jobs) {
+    options.workers = workers;
+    return worker_count(options, jobs);
+  };
+  EXPECT_EQ(count(8, 3), 3u);
+  EXPECT_EQ(count(2, 3), 2u);
+  EXPECT_EQ(count(2, 0), 1u);
+  EXPECT_GE(count(0, 100), 1u);
   EXPECT_EQ(run({}, fake).done, 0);
 }
 

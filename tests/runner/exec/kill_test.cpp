@@ -21,12 +21,15 @@ RunReport run(const std::filesystem::path& results) {
   CatalogWriter writer(results);
   Status status;
   StopFlag flag;
-  const PlannedStudy study{fakes::plan(jobs), "A fake"};
+  const PlannedStudy study{fakes::plan(jobs), "A fake", {}};
   const Simulate simulate = [](const mpm::Scene& s, mpm::Observer& o) {
     return fakes::simulate(s, o, std::chrono::milliseconds(3));
   };
+  ExecutorOptions options;
+  options.results = results;
+  options.workers = 2;
   return run_studies(std::span(&study, 1), false, writer, status, simulate, fakes::write_snapshot, flag,
-                     {results, 2});
+                     options);
 }
 
 std::int64_t count(const std::filesystem::path& results, const std::string& what) {

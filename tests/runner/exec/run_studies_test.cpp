@@ -7,11 +7,18 @@
 #include <csignal>
 
 #include "runner/catalog/query.hpp"
-#include "runner/catalog/row_format.hpp"
 #include "tests/runner/fakes.hpp"
+#include "tests/runner/rows_of.hpp"
 
 namespace mpmstudy {
 namespace {
+
+ExecutorOptions with(const std::filesystem::path& results, unsigned workers) {
+  ExecutorOptions options;
+  options.results = results;
+  options.workers = workers;
+  return options;
+}
 
 class RunStudies : public testing::Test {
  protected:
@@ -26,10 +33,10 @@ class RunStudies : public testing::Test {
       return fakes::simulate(s, o, pause);
     };
     return run_studies(studies, retry_failed, writer, status, simulate, fakes::write_snapshot, flag,
-                       {results, workers});
+                       with(results, workers));
   }
   static PlannedStudy study(int jobs, const std::string& name = "fake") {
-    return {fakes::plan(jobs, name), "A fake"};
+    return {fakes::plan(jobs, name), "A fake", {}};
   }
   fakes::TemporaryFolder folder;
   StopFlag flag;
@@ -88,38 +95,6 @@ TEST_F(RunStudies, failures_end_with_1_and_are_retried_when_told) {
   EXPECT_EQ(simulated, 3);
   EXPECT_EQ(run(folder.path(), {study(3)}, 2, true).exit_code(), 0);
   EXPECT_EQ(simulated, 6);
-}
-
-/// All rows, without times of day and durations.
-std::string rows_of(const std::filesystem::path& results) {
-  std::string text;
-  for (const auto* table :
-       {"metrics ORDER BY key, name", "area_history ORDER BY key, time_s", "snapshots ORDER BY key, path"})
-    for (const auto& row : query(results, std::string("SELECT * FROM ") + table).rows)
-      for (const auto& value : row)
-        text += std::visit(
-                    [](const auto& v) -> std::string {
-                      using T = std::decay_t<decltype(v)>;
-                      if constexpr (std::is_same_v<T, double>) return shortest(v);
-                      if constexpr (std::is_same_v<T, std::int64_t>) return std::to_string(v);
-                      if constexpr (std::is_same_v<T, std::string>) return v;
-                      return "null";
-                    },
-                    value) +
-                "\n";
-  const auto jobs = query(results, "SELECT * FROM jobs ORDER BY study, key");
-  for (const auto& row : jobs.rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      static const std::vector<std::string> times = {"wall_s",      "cpu_s",       "started_at",
-                                                     "finished_at", "predicted_s", "particle_updates_per_s"};
-      if (std::ranges::find(times, jobs.names[i]) != times.end()) continue;
-      text += jobs.names[i] + "=";
-      if (const auto* real = std::get_if<double>(&row[i])) text += shortest(*real);
-      if (const auto* whole = std::get_if<std::int64_t>(&row[i])) text += std::to_string(*whole);
-      if (const auto* words = std::get_if<std::string>(&row[i])) text += *words;
-      text += "\n";
-    }
-  return text;
 }
 
 TEST_F(RunStudies, rows_do_not_depend_on_workers_nor_on_stops) {

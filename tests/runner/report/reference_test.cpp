@@ -27,6 +27,7 @@ std::vector<Row> reference() {
   std::ifstream file(SOURCE_DIR "/results/reference/collapsibility.csv");
   std::string line;
   std::getline(file, line);
+  if (line.ends_with('\r')) line.pop_back();  // RFC 4180 ends lines so
   EXPECT_EQ(line, "study,position,cell_size_m,collapsibility,collapsibility_error");
   std::vector<Row> rows;
   while (std::getline(file, line)) {

@@ -1,10 +1,10 @@
 #pragma once
-#include <ctime>
+#include <time.h>
 
 namespace mpmstudy {
 
 /// Time that this thread has spent on a processor [s].
-inline double processor_seconds() {
+inline double thread_cpu_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);

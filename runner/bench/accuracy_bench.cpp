@@ -1,0 +1,145 @@
+#include "runner/bench/accuracy_bench.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "analysis/extrapolation.hpp"
+#include "libmpm/scene/parameters.hpp"
+#include "runner/exec/thread_clock.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// Every shape function with 1, 4 and 9 particles a cell.
+std::vector<AccuracyScheme> schemes_for(const mpm::Scene& scene) {
+  const mpm::Choice& shapes = *mpm::find_choice("scheme");
+  std::vector<AccuracyScheme> all;
+  for (std::size_t k = 0; k < shapes.allowed.size(); ++k)
+    for (const int particles : {1, 4, 9})
+      all.push_back({std::string(shapes.allowed[k]), particles,
+                     k == shapes.get(scene) && particles == scene.numerics.particles_per_cell});
+  return all;
+}
+
+struct Work {
+  const AccuracyProblem* problem;
+  AccuracyRow row;
+};
+
+mpm::Scene scene_of(const AccuracyProblem& problem, const AccuracyRow& row) {
+  const mpm::Choice& shapes = *mpm::find_choice("scheme");
+  mpm::Scene scene = problem.scene;
+  const auto at = std::ranges::find(shapes.allowed, row.scheme.shape);
+  shapes.set(scene, static_cast<std::size_t>(at - shapes.allowed.begin()));
+  scene.numerics.particles_per_cell = row.scheme.particles_per_cell;
+  scene.numerics.cell_size = row.cell_size;
+  if (!mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
+  return scene;
+}
+
+void run(Work& work) {
+  AccuracyRow& row = work.row;
+  const double start = thread_cpu_seconds();
+  const mpm::RunResult result = mpm::run(scene_of(*work.problem, row));
+  row.cpu_s = thread_cpu_seconds() - start;
+  row.value = std::numeric_limits<double>::quiet_NaN();
+  if (result.status != mpm::RunStatus::done)
+    row.problem_of_run = result.reason;
+  else if (row.value = work.problem->value(result); std::isnan(row.value))
+    row.problem_of_run = "not measured";
+}
+
+/// Where nothing is exact: each scheme's ladder, extrapolated. The narrowest interval is the reference; it is
+/// widened until it reaches the next one, which another scheme found.
+void find_reference(std::vector<Work*>& rows) {
+  std::vector<analysis::Extrapolation> found;
+  for (std::size_t i = 0; i < rows.size();) {
+    const AccuracyScheme& scheme = rows[i]->row.scheme;
+    std::vector<analysis::LadderPoint> ladder;
+    for (; i < rows.size() && rows[i]->row.scheme.shape == scheme.shape &&
+           rows[i]->row.scheme.particles_per_cell == scheme.particles_per_cell;
+         ++i)
+      if (std::isfinite(rows[i]->row.value))
+        ladder.push_back({rows[i]->row.cell_size, rows[i]->row.value, 0});
+    if (ladder.size() >= 3) found.push_back(analysis::extrapolate(ladder));
+  }
+  std::ranges::sort(found, {}, &analysis::Extrapolation::extrapolated_error);
+  for (Work* w : rows) {
+    w->row.reference = found.empty() ? std::numeric_limits<double>::quiet_NaN() : found[0].extrapolated_value;
+    if (found.empty()) continue;
+    w->row.reference_error = found[0].extrapolated_error;
+    if (found.size() > 1)
+      w->row.reference_error = std::max(w->row.reference_error,
+                                        std::abs(found[1].extrapolated_value - found[0].extrapolated_value));
+  }
+}
+
+void find_front(std::vector<Work*>& rows) {
+  for (Work* w : rows) w->row.error = std::abs(w->row.value / w->row.reference - 1);
+  for (Work* w : rows)
+    w->row.on_front =
+        std::isfinite(w->row.error) && std::ranges::none_of(rows, [&](const Work* other) {
+          return other->row.cpu_s <= w->row.cpu_s && other->row.error <= w->row.error && other != w;
+        });
+}
+
+std::vector<const AccuracyProblem*> wanted(const std::vector<AccuracyProblem>& all,
+                                           const std::vector<std::string>& names) {
+  std::vector<const AccuracyProblem*> some;
+  for (const AccuracyProblem& p : all)
+    if (names.empty() || std::ranges::find(names, p.name) != names.end()) some.push_back(&p);
+  for (const std::string& name : names)
+    if (std::ranges::find(all, name, &AccuracyProblem::name) == all.end()) {
+      std::string allowed;
+      for (const AccuracyProblem& p : all) allowed += (allowed.empty() ? "" : ", ") + p.name;
+      throw std::invalid_argument("no problem is called " + name + "; there are: " + allowed);
+    }
+  return some;
+}
+
+}  // namespace
+
+std::vector<AccuracyRow> bench_accuracy(const AccuracyBenchOptions& options) {
+  const std::vector<AccuracyProblem> all = accuracy_problems();
+  const auto problems = wanted(all, options.problems);
+  std::vector<Work> work;
+  for (const AccuracyProblem* problem : problems)
+    for (const AccuracyScheme& scheme : schemes_for(problem->scene))
+      for (int rung = 0; rung < problem->cells - options.skip_finest; ++rung) {
+        AccuracyRow row;
+        row.problem = problem->name;
+        row.what = problem->what;
+        row.scheme = scheme;
+        row.cell_size = std::ldexp(problem->scene.numerics.cell_size, -rung);
+        work.push_back({problem, row});
+      }
+  std::atomic<std::size_t> next{0};
+  std::vector<std::thread> threads;
+  for (unsigned t = 0; t < std::max(1u, options.workers); ++t)
+    threads.emplace_back([&] {
+      for (std::size_t i; (i = next.fetch_add(1)) < work.size();) run(work[i]);
+    });
+  for (std::thread& t : threads) t.join();
+
+  for (const AccuracyProblem* problem : problems) {
+    std::vector<Work*> rows;
+    for (Work& w : work)
+      if (w.problem == problem) rows.push_back(&w);
+    if (problem->exact) {
+      const double exact = problem->exact();
+      for (Work* w : rows) w->row.reference = exact;
+    } else {
+      find_reference(rows);
+    }
+    find_front(rows);
+  }
+  std::vector<AccuracyRow> rows;
+  for (Work& w : work) rows.push_back(std::move(w.row));
+  return rows;
+}
+
+}  // namespace mpmstudy

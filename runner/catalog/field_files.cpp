@@ -1,0 +1,79 @@
+// Field files against what the catalog says of them.
+#include "runner/catalog/field_files.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <chrono>
+#include <fstream>
+#include <unordered_set>
+
+#include "runner/catalog/store_impl.hpp"
+
+namespace mpmstudy {
+namespace fs = std::filesystem;
+
+std::string checksum_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
+  XXH3_128bits_reset(state.get());
+  std::vector<char> block(1 << 16);
+  while (file) {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    XXH3_128bits_update(state.get(), block.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.eof()) throw CatalogError(path.string() + ": cannot be read");
+  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+std::string what_is_wrong(const fs::path& path, std::int64_t bytes, const std::string& checksum) {
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  if (error) return fmt::format("{}: {}", path.string(), error.message());
+  if (size != static_cast<std::uintmax_t>(bytes))
+    return fmt::format("{}: has {} bytes, was written with {}", path.string(), size, bytes);
+  if (checksum.empty() || checksum_of(path) == checksum) return {};
+  return fmt::format("{}: its checksum is not the one it was written with", path.string());
+}
+
+/// A checksum costs reading the file, so it is taken where the file was touched after its job was done.
+std::map<std::int64_t, std::string> Store::Impl::damaged_jobs(std::int64_t study) {
+  std::map<std::int64_t, std::string> damaged;
+  SQLite::Statement rows(*db,
+                         "SELECT j.id, f.path, f.bytes, f.checksum, j.finished_at FROM study_job m "
+                         "JOIN job j ON j.id = m.job_id JOIN snapshot f ON f.job_id = j.id "
+                         "WHERE m.study_id = ? AND j.status = 'done'");
+  rows.bind(1, study);
+  while (rows.executeStep()) {
+    const auto id = rows.getColumn(0).getInt64();
+    if (damaged.contains(id)) continue;
+    const fs::path path = results / rows.getColumn(1).getString();
+    std::error_code ignored;
+    const auto written = fs::last_write_time(path, ignored);
+    const auto touched = utc_timestamp(std::chrono::time_point_cast<std::chrono::system_clock::duration>(
+        std::chrono::file_clock::to_sys(written)));
+    const bool read = !ignored && touched > rows.getColumn(4).getString();
+    const auto wrong =
+        what_is_wrong(path, rows.getColumn(2).getInt64(), read ? rows.getColumn(3).getString() : "");
+    if (!wrong.empty()) damaged[id] = wrong;
+  }
+  return damaged;
+}
+
+std::int64_t Store::sweep_files() {
+  std::unordered_set<std::string> kept;
+  SQLite::Statement rows(*impl_->db, "SELECT key FROM job WHERE status IN ('done', 'running', 'failed')");
+  while (rows.executeStep()) kept.insert(rows.getColumn(0).getString());
+  std::int64_t swept = 0;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(impl_->results / "fields", error)) {
+    if (kept.contains(entry.path().filename().string())) continue;
+    std::error_code ignored;  // what stays is swept by a later start, or by the job's next attempt
+    fs::remove_all(entry.path(), ignored);
+    ++swept;
+  }
+  return swept;
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,211 @@
+// Registering a study: what it wants against what the catalog has.
+#include <nlohmann/json.hpp>
+
+#include "runner/catalog/store_impl.hpp"
+
+namespace mpmstudy {
+
+std::int64_t Store::Impl::add_job(const Job& job) {
+  const auto& scene = job.scene;
+  execute(insert_job, job.key, std::string(mpm::to_string(scene.kind)), scene.material.name,
+          nlohmann::json(scene.measures.snapshots).dump(), mpm::physics_version, job.estimate.particles,
+          job.estimate.steps, job.predicted_seconds);
+  const std::int64_t id = db->getLastInsertRowid();
+  insert_parameters.tryReset();
+  int i = 0;
+  bind_one(insert_parameters, ++i, id);
+  for (const auto& q : mpm::quantities())
+    bind_one(insert_parameters, ++i,
+             q.belongs_to(scene.kind) ? std::optional(q.get(scene)) : std::optional<double>());
+  for (const auto& c : mpm::choices())
+    bind_one(insert_parameters, ++i,
+             c.belongs_to(scene.kind) ? std::optional(std::string(c.allowed[c.get(scene)]))
+                                      : std::optional<std::string>());
+  insert_parameters.exec();
+  record(id, std::nullopt, JobStatus::planned, 0);
+  return id;
+}
+
+/// r: id, host, boot_id, pid, process_start, heartbeat_at, ended_at of a runner.
+bool Store::Impl::is_gone(SQLite::Statement& r, const std::string& now) {
+  const ProcessId process{r.getColumn(1).getString(), r.getColumn(2).getString(), r.getColumn(3).getInt64(),
+                          r.getColumn(4).getInt64()};
+  if (!r.isColumnNull(6)) return true;
+  if (r.getColumn(0).getInt64() == runner) return false;
+  const auto state = liveness(process);
+  if (state != Liveness::unknown) return state == Liveness::gone;
+  return seconds_between(r.getColumn(5).getString(), now) > options.heartbeat_expires_s;
+}
+
+/// running -> planned. The job may be what its process died of: that is counted.
+void Store::Impl::take_from(std::int64_t job, std::int64_t attempt, const std::string& who) {
+  execute(plan_again, job);
+  execute(add_crash, job);
+  record(job, JobStatus::running, JobStatus::planned, attempt, "process " + who + " is gone");
+}
+
+std::set<std::int64_t> Store::Impl::take_up() {
+  std::map<std::int64_t, std::string> gone;  // runner -> who
+  const auto now = utc_now();
+  SQLite::Statement runners(
+      *db,
+      "SELECT id, host, boot_id, pid, process_start, heartbeat_at, ended_at FROM runner "
+      "WHERE id IN (SELECT runner_id FROM job WHERE status = 'running')");
+  while (runners.executeStep())
+    if (is_gone(runners, now))
+      gone[runners.getColumn(0).getInt64()] =
+          runners.getColumn(1).getString() + ":" + runners.getColumn(3).getString();
+  std::set<std::int64_t> taken;
+  for (const auto& [id, who] : gone) {
+    std::vector<std::pair<std::int64_t, std::int64_t>> jobs;  // id, attempt
+    SQLite::Statement left(*db, "SELECT id, attempt FROM job WHERE status = 'running' AND runner_id = ?");
+    left.bind(1, id);
+    while (left.executeStep()) jobs.emplace_back(left.getColumn(0).getInt64(), left.getColumn(1).getInt64());
+    for (const auto& [job, attempt] : jobs) {
+      take_from(job, attempt, who);
+      taken.insert(job);
+    }
+  }
+  return taken;
+}
+
+bool Store::Impl::take_up(const Row& row) {
+  if (row.runner == runner) return false;
+  SQLite::Statement other(
+      *db, "SELECT id, host, boot_id, pid, process_start, heartbeat_at, ended_at FROM runner WHERE id = ?");
+  other.bind(1, row.runner);
+  if (!other.executeStep() || !is_gone(other, utc_now())) return false;
+  take_from(row.id, row.attempt, other.getColumn(1).getString() + ":" + other.getColumn(3).getString());
+  return true;
+}
+
+void Store::Impl::cancel_unwanted() {
+  std::vector<std::pair<std::int64_t, std::int64_t>> jobs;
+  SQLite::Statement unwanted(*db,
+                             "SELECT id, attempt FROM job WHERE status = 'planned' AND NOT EXISTS "
+                             "(SELECT 1 FROM study_job WHERE job_id = job.id)");
+  while (unwanted.executeStep())
+    jobs.emplace_back(unwanted.getColumn(0).getInt64(), unwanted.getColumn(1).getInt64());
+  SQLite::Statement cancel(*db, "UPDATE job SET status = 'cancelled' WHERE id = ?");
+  for (const auto& [job, attempt] : jobs) {
+    execute(cancel, job);
+    record(job, JobStatus::planned, JobStatus::cancelled, attempt, "no study has it any longer");
+  }
+}
+
+namespace {
+
+/// The jobs that a study has, in order of position; a large study that is done is read once, not asked for
+/// job by job.
+std::vector<std::pair<std::string, Store::Impl::Row>> members_of(SQLite::Database& db, std::int64_t study) {
+  std::vector<std::pair<std::string, Store::Impl::Row>> members;
+  SQLite::Statement rows(db,
+                         "SELECT j.key, j.id, j.status, j.attempt, j.runner_id, j.crashes FROM study_job m "
+                         "JOIN job j ON j.id = m.job_id WHERE m.study_id = ? ORDER BY m.position");
+  rows.bind(1, study);
+  while (rows.executeStep())
+    members.push_back(
+        {rows.getColumn(0).getString(),
+         {rows.getColumn(1).getInt64(), job_status_from(rows.getColumn(2).getString()),
+          rows.getColumn(3).getInt64(), rows.getColumn(4).getInt64(), rows.getColumn(5).getInt64()}});
+  return members;
+}
+
+std::int64_t enter_study(SQLite::Database& db, const std::string& name, const std::string& title,
+                         const StudySource& source) {
+  SQLite::Statement upsert(
+      db,
+      "INSERT INTO study (name, title, updated_at, path, overrides) VALUES (?, ?, ?, ?, ?) ON CONFLICT "
+      "(name) "
+      "DO UPDATE SET title = excluded.title, updated_at = excluded.updated_at, path = excluded.path, "
+      "overrides = excluded.overrides RETURNING id");
+  upsert.bind(1, name);
+  upsert.bind(2, title);
+  upsert.bind(3, utc_now());
+  bind_one(upsert, 4, or_null(source.path));
+  upsert.bind(5, nlohmann::json(source.set).dump());
+  upsert.executeStep();
+  return upsert.getColumn(0).getInt64();
+}
+
+}  // namespace
+
+Registration Store::register_study(const std::string& name, const std::string& title,
+                                   const std::vector<Job>& jobs, bool retry_failed,
+                                   const StudySource& source) {
+  auto& db = *impl_->db;
+  const std::int64_t study = enter_study(db, name, title, source);
+  const auto taken_up = impl_->take_up();
+  const auto members = members_of(db, study);
+  const bool ladders = std::ranges::any_of(jobs, [](const Job& job) { return job.rung_of.has_value(); });
+  const bool same =
+      !ladders && std::ranges::equal(jobs, members, {}, &Job::key, [](const auto& m) { return m.first; });
+  if (!same) {
+    SQLite::Statement forget(db, "DELETE FROM study_job WHERE study_id = ?");
+    execute(forget, study);
+  }
+  std::vector<Impl::Row> rows;
+  rows.reserve(jobs.size());
+  std::int64_t position = 0;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (same) {
+      rows.push_back(members[i].second);
+      continue;
+    }
+    const auto row = impl_->find(jobs[i].key);
+    rows.push_back(row ? *row : Impl::Row{.id = impl_->add_job(jobs[i])});
+    const auto& rung_of = jobs[i].rung_of;
+    execute(impl_->insert_member, study, rows.back().id, rung_of ? *rung_of : position++, rung_of ? 1 : 0);
+  }
+
+  const auto damaged = impl_->damaged_jobs(study);
+  Registration registration;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const auto [id, status, attempt, runner, crashes] = rows[i];
+    std::string again;  // why, if so
+    if (status == JobStatus::cancelled) again = "wanted again";
+    if (status == JobStatus::failed && retry_failed) again = "retry of a failed job";
+    if (const auto found = damaged.find(id); found != damaged.end()) {
+      again = found->second;
+      ++registration.damaged;
+    }
+    if (!again.empty()) {
+      execute(impl_->plan_again, id);
+      impl_->record(id, status, JobStatus::planned, attempt, again);
+    }
+    const auto now = again.empty() ? status : JobStatus::planned;
+    registration.states.push_back(now);
+    if (now == JobStatus::planned) {
+      registration.to_run.push_back(jobs[i].key);
+      registration.taken_up += taken_up.contains(id);
+    } else if (now == JobStatus::done) {
+      ++registration.done;
+    } else if (now == JobStatus::failed) {
+      ++registration.failed;
+    } else {
+      ++registration.running_elsewhere;
+    }
+  }
+  impl_->cancel_unwanted();
+  return registration;
+}
+
+JobStatus Store::add_finer(const std::string& study, const Job& rung, bool retry_failed) {
+  const auto id = impl_->study_id(study);
+  const auto row = impl_->find(rung.key);
+  const auto job = row ? row->id : impl_->add_job(rung);
+  auto status = row ? row->status : JobStatus::planned;
+  if (status == JobStatus::cancelled || (status == JobStatus::failed && retry_failed)) {
+    execute(impl_->plan_again, job);
+    impl_->record(job, status, JobStatus::planned, row->attempt,
+                  status == JobStatus::failed ? "retry of a failed job" : "wanted again");
+    status = JobStatus::planned;
+  }
+  SQLite::Statement coarser(*impl_->db,
+                            "UPDATE study_job SET coarse = 1 WHERE study_id = ? AND position = ?");
+  execute(coarser, id, rung.rung_of);
+  execute(impl_->insert_member, id, job, rung.rung_of, 0);
+  return status;
+}
+
+}  // namespace mpmstudy

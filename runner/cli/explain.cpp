@@ -1,0 +1,220 @@
+#include "runner/cli/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "libmpm/scene/parameters.hpp"
+#include "libmpm/simulation.hpp"
+#include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/connection.hpp"
+#include "runner/catalog/query.hpp"
+#include "runner/catalog/stored_jobs.hpp"
+#include "runner/plan/plan.hpp"
+#include "runner/status/label.hpp"
+#include "runner/study/readable.hpp"
+
+namespace mpmstudy {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A job of a study file, and the study that says where its values stand.
+struct Wanted {
+  Study study;
+  Job job;
+};
+
+/// One parameter that two scenes do not share.
+struct Change {
+  std::string_view name;
+  std::string here, there;
+};
+
+std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
+  std::vector<Change> all;
+  for (const auto& q : mpm::quantities())
+    if (!q.derived && q.belongs_to(here.kind) && q.get(here) != q.get(there))
+      all.push_back({q.name, readable(q, here), readable(q, there)});
+  for (const auto& c : mpm::choices())
+    if (c.belongs_to(here.kind) && c.get(here) != c.get(there))
+      all.push_back({c.name, readable(c, here), readable(c, there)});
+  if (here.measures.snapshots != there.measures.snapshots)
+    all.push_back({"snapshots", fmt::format("{} times", here.measures.snapshots.size()),
+                   fmt::format("{} times", there.measures.snapshots.size())});
+  return all;
+}
+
+/// Where the study says it: "studies/a.toml:12:16"; a value of a default says that.
+std::string place_of(const std::optional<Wanted>& wanted, std::string_view name) {
+  if (!wanted) return "";
+  const auto& given = wanted->study.given;
+  const auto found = std::ranges::find(given, name);
+  if (found != given.end()) return wanted->study.places[static_cast<std::size_t>(found - given.begin())];
+  // Two names for one freedom: the other one may be what the file says.
+  if (const auto* row = mpm::find_quantity(name); row && !row->alternative.empty()) {
+    const auto other = std::ranges::find(given, row->alternative);
+    if (other != given.end()) return wanted->study.places[static_cast<std::size_t>(other - given.begin())];
+  }
+  return "a default";
+}
+
+/// The job in the study files: those named, or those that the catalog remembers.
+std::optional<Wanted> find_in_files(const ExplainOptions& options, const std::string& key) {
+  std::vector<std::pair<std::string, StudyOptions>> files;
+  for (const auto& file : options.files) files.emplace_back(file, options.study);
+  if (files.empty() && fs::exists(catalog_path(options.results)))
+    for (auto& study : read_studies(options.results))
+      if (fs::exists(study.path)) files.push_back({study.path, {std::move(study.set), true}});
+  for (const auto& [file, how] : files) {
+    try {
+      Study study = read_study(file, how);
+      const Plan plan = make_plan(study);
+      for (const auto& job : all_jobs(plan))
+        if (job.key.starts_with(key)) return Wanted{std::move(study), job};
+    } catch (const StudyError&) {
+      if (!options.files.empty()) throw;  // a file that has become bad since says nothing about this job
+    }
+  }
+  return std::nullopt;
+}
+
+void print_history(const std::string& results, const std::string& key) {
+  const SqlValue parameter = key;
+  fmt::print("history:\n");
+  for (const auto& row :
+       query(results,
+             "SELECT at, from_status, to_status, \"by\", reason FROM events WHERE key = ?1 ORDER BY id",
+             std::span(&parameter, 1))
+           .rows) {
+    const auto text = [&](std::size_t i) {
+      const auto* word = std::get_if<std::string>(&row[i]);
+      return word ? *word : std::string();
+    };
+    const bool is_new = text(1).empty();
+    fmt::print("  {}  {} by {}{}\n", text(0), is_new ? "new" : text(1) + " -> " + text(2), text(3),
+               text(4).empty() ? "" : ": " + text(4));
+  }
+}
+
+std::string studies_of(const std::string& results, const std::string& key) {
+  const SqlValue parameter = key;
+  std::string names;
+  for (const auto& row :
+       query(results, "SELECT study FROM jobs WHERE key = ?1 AND study IS NOT NULL ORDER BY study",
+             std::span(&parameter, 1))
+           .rows)
+    names += (names.empty() ? "" : ", ") + std::get<std::string>(row[0]);
+  return names.empty() ? "no study" : names;
+}
+
+/// What the next `run` does with the job.
+std::string verdict(const StoredJob& job) {
+  if (job.physics_version != mpm::physics_version)
+    return fmt::format(
+        "made by physics version {}; this program has {} and another key for the same scene, so "
+        "it is never reused",
+        job.physics_version, mpm::physics_version);
+  switch (job.status) {
+    case JobStatus::done:
+      return "done: reused by every study that has it; it runs again only if a file of fields is damaged";
+    case JobStatus::failed:
+      return fmt::format("failed ({}) at step {}: {}\n  left so; `mpmstudy retry {}` plans it again",
+                         job.failure_kind.empty() ? "error" : job.failure_kind, job.steps, job.reason,
+                         short_key(job.job.key));
+    case JobStatus::running:
+      return "running; if its process is gone, the next run takes it up";
+    case JobStatus::cancelled:
+      return "cancelled: no study has it; it runs when one has it again";
+    case JobStatus::planned:
+      return "will run: it is not decided yet";
+  }
+  return "";
+}
+
+/// The job with the fewest other parameters among those that were there before.
+const StoredJob* nearest(const std::vector<StoredJob>& all, const mpm::Scene& scene, std::int64_t before) {
+  const StoredJob* best = nullptr;
+  std::size_t fewest = 0;
+  for (const auto& other : all) {
+    if (other.order >= before || other.job.scene.kind != scene.kind) continue;
+    const auto count = changes(scene, other.job.scene).size();
+    if (best && count >= fewest) continue;
+    best = &other;
+    fewest = count;
+  }
+  return best;
+}
+
+void print_news(const std::vector<StoredJob>& all, const mpm::Scene& scene, std::int64_t order,
+                const std::optional<Wanted>& wanted) {
+  const StoredJob* other = nearest(all, scene, order);
+  if (!other) {
+    fmt::print("its key was new: the catalog had no job of this kind\n");
+    return;
+  }
+  const auto news = changes(scene, other->job.scene);
+  if (news.empty()) {
+    fmt::print("its key was new: the same scene, {}, was made by physics version {}\n",
+               short_key(other->job.key), other->physics_version);
+    return;
+  }
+  fmt::print("its key was new: of the jobs before it, {} is nearest, and differs in\n",
+             short_key(other->job.key));
+  for (const auto& change : news) {
+    const auto place = place_of(wanted, change.name);
+    fmt::print("  {} = {} (there {}){}\n", change.name, change.here, change.there,
+               place.empty() ? "" : "  " + place);
+  }
+}
+
+}  // namespace
+
+void setup_explain(CLI::App& app) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App& verb = *app.add_subcommand("explain", "Say why a job ran or will run, or why it failed");
+  verb.add_option("KEY", options->key, "Key of a job, or its first digits")->required();
+  verb.add_option("STUDY", options->files, "Study files [those that were run]");
+  add_study_options(verb, options->study);
+  add_results_option(verb, options->results);
+  verb.callback([options] { finish(run_explain(*options)); });
+}
+
+int run_explain(const ExplainOptions& options) {
+  const bool has_catalog = fs::exists(catalog_path(options.results));
+  const auto all = has_catalog ? read_jobs(options.results) : std::vector<StoredJob>();
+  const StoredJob* job = nullptr;
+  for (const auto& one : all)
+    if (one.job.key.starts_with(options.key)) {
+      if (job) throw CatalogError(options.key + ": several jobs begin so; give more digits");
+      job = &one;
+    }
+  const auto wanted = find_in_files(options, job ? job->job.key : options.key);
+  if (!job && !wanted)
+    throw CatalogError(options.key + ": neither the catalog nor " +
+                       (options.files.empty() ? "a study that it knows" : "these studies") +
+                       " has such a job; `mpmstudy plan STUDY` lists keys");
+  const Job& it = job ? job->job : wanted->job;
+  std::vector<std::string> swept;
+  if (wanted) swept = wanted->study.swept;
+  fmt::print("{}  {}\n", it.key, label_of(it.scene, swept));
+  if (!job) {
+    fmt::print("of {}\nwill run: the catalog does not have it\n", wanted->study.name);
+    print_news(all, it.scene, static_cast<std::int64_t>(all.size()) + 1, wanted);
+    return exit_ok;
+  }
+  fmt::print("of {}\n{}\n", studies_of(options.results, it.key), verdict(*job));
+  if (job->crashes > 0)
+    fmt::print("its process has ended {} times while it ran, so it runs in a process of its own\n",
+               job->crashes);
+  print_news(all, it.scene, job->order, wanted);
+  print_history(options.results, it.key);
+  return exit_ok;
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,50 @@
+#include "runner/cli/retry.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "runner/catalog/connection.hpp"
+#include "runner/catalog/store.hpp"
+#include "runner/exec/git_revision.hpp"
+#include "runner/status/label.hpp"
+
+namespace mpmstudy {
+
+void setup_retry(CLI::App& app) {
+  const auto options = std::make_shared<RetryOptions>();
+  CLI::App& verb = *app.add_subcommand("retry", "Plan failed jobs again");
+  verb.add_option("KEY", options->keys, "Keys of jobs, or their first digits [every failed job]");
+  verb.add_option("--study", options->filter.study, "Jobs of this study only")->type_name("NAME");
+  verb.add_option("--kind", options->filter.kind, "Only those that failed so")
+      ->check(CLI::IsMember({"breakdown", "timeout", "memory", "crash", "error"}));
+  add_results_option(verb, options->results);
+  verb.callback([options] { finish(run_retry(*options)); });
+}
+
+int run_retry(const RetryOptions& options) {
+  open_for_reading(options.results);  // throws if there is no catalog
+  StoreOptions store_options;
+  store_options.git_revision = git_revision();
+  Store store(options.results, store_options);
+  store.begin();
+  std::vector<std::string> planned;
+  for (const auto& key : options.keys.empty() ? std::vector<std::string>{""} : options.keys) {
+    auto filter = options.filter;
+    filter.key_begins = key;
+    const auto keys = store.retry(filter);
+    if (keys.empty() && !key.empty()) fmt::print(stderr, "{}: there is no such failed job\n", key);
+    planned.insert(planned.end(), keys.begin(), keys.end());
+  }
+  store.leave();
+  store.commit();
+  for (const auto& key : planned) fmt::print("{} planned again\n", short_key(key));
+  fmt::print("{} planned again; `mpmstudy run STUDY` runs them\n",
+             counted(static_cast<std::int64_t>(planned.size()), "job"));
+  return planned.empty() && !options.keys.empty() ? exit_failed : exit_ok;
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,15 @@
+#pragma once
+/// `mpmstudy run STUDY --engine slurm`: the jobs of a study as a job array, and a merge that depends on it.
+#include <vector>
+
+#include "runner/cli/run.hpp"
+#include "runner/exec/run_studies.hpp"
+
+namespace mpmstudy {
+
+/// Registers the study, deals its open jobs out to shards, submits; --dry-run prints the scripts and writes
+/// nothing. Jobs that are in the queue already are left there. exit_ok when all is submitted or done;
+/// exit_stopped when work is left and --rounds are over, or sbatch refuses.
+int run_on_slurm(const RunOptions&, const Study&, const PlannedStudy&, const RunSeams&);
+
+}  // namespace mpmstudy

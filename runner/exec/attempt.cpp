@@ -1,0 +1,111 @@
+#include "runner/exec/attempt.hpp"
+#include "runner/exec/thread_clock.hpp"
+
+#include <fmt/format.h>
+#include <chrono>
+#include <exception>
+#include <new>
+
+namespace mpmstudy {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Stops one job when asked or when its time is over, hands snapshots to disk, tells how far it is.
+class JobObserver : public mpm::Observer {
+ public:
+  JobObserver(const AttemptContext& context, JobFiles& files) : context_(context), files_(files) {}
+
+  bool on_step(const mpm::Progress& progress) override {
+    at_ = progress;
+    const auto now = Clock::now();
+    if (now - told_ >= std::chrono::milliseconds(50)) {
+      told_ = now;
+      context_.progress(progress);
+    }
+    const double limit = context_.limits.seconds;
+    late_ = limit > 0 && std::chrono::duration<double>(now - start_).count() > limit;
+    return !late_ && !context_.stopping();
+  }
+  void on_snapshot(const mpm::Snapshot& snapshot) override { files_.add(snapshot); }
+
+  bool late() const { return late_; }
+  const mpm::Progress& at() const { return at_; }
+
+ private:
+  const AttemptContext& context_;
+  JobFiles& files_;
+  Clock::time_point start_ = Clock::now(), told_{};
+  mpm::Progress at_{};
+  bool late_ = false;
+};
+
+/// A result that says why there is none, and where the run was.
+void fail(FinishedJob& job, FailureKind kind, const std::string& reason, const mpm::Progress& at) {
+  job.failure = kind;
+  job.result = {};
+  job.result.status = mpm::RunStatus::failed;
+  job.result.reason = fmt::format("{} (step {}, t = {} s)", reason, at.step, at.time);
+  job.result.particles = at.particles;
+  job.result.steps = at.step;
+}
+
+/// A breakdown is a value; whatever a simulation throws is made one.
+void simulate(const Job& job, const AttemptContext& context, JobFiles& files, FinishedJob& finished) {
+  JobObserver observer(context, files);
+  try {
+    finished.result = context.simulate(job.scene, observer);
+    if (observer.late())
+      fail(finished, FailureKind::timeout, fmt::format("ran longer than {} s", context.limits.seconds),
+           observer.at());
+    else if (finished.result.status == mpm::RunStatus::failed)
+      finished.failure = FailureKind::breakdown;
+  } catch (const StorageError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    fail(finished, FailureKind::memory,
+         context.limits.memory > 0 ? fmt::format("needs more than {} bytes of memory", context.limits.memory)
+                                   : "out of memory",
+         observer.at());
+  } catch (const std::exception& error) {
+    fail(finished, FailureKind::error, error.what(), observer.at());
+  } catch (...) {
+    fail(finished, FailureKind::error, "an exception that is not a std::exception", observer.at());
+  }
+}
+
+}  // namespace
+
+Attempt attempt_job(const Job& job, const AttemptContext& context) {
+  const auto wall = Clock::now();
+  const double cpu = thread_cpu_seconds();
+  Attempt attempt;
+  FinishedJob& finished = attempt.job;
+  finished.key = job.key;
+  try {
+    JobFiles files(context.results, job.key, context.write);
+    simulate(job, context, files, finished);
+    if (finished.result.status == mpm::RunStatus::stopped) {
+      files.discard();
+      attempt.end = Attempt::End::stopped;
+      return attempt;
+    }
+    finished.snapshots = files.close();
+  } catch (const StorageError& error) {
+    attempt.end = Attempt::End::storage;
+    attempt.why = error.what();
+    return attempt;
+  }
+  finished.wall_s = seconds_since(wall);
+  finished.cpu_s = thread_cpu_seconds() - cpu;
+  finished.status = finished.failure ? JobStatus::failed : JobStatus::done;
+  finished.reason = finished.result.reason;
+  if (finished.failure && finished.reason.empty()) finished.reason = "failed without a reason";
+  return attempt;
+}
+
+}  // namespace mpmstudy

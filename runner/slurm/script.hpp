@@ -1,0 +1,31 @@
+#pragma once
+/// The scripts that Slurm runs. Pure.
+#include <string>
+#include <vector>
+
+namespace mpmstudy {
+
+struct SlurmScripts {
+  std::string study;    ///< name
+  std::string program;  ///< absolute path of mpmstudy
+  std::string folder;   ///< of this submission, on the share: results/slurm/NAME-TIME
+  std::string results;  ///< the results folder that shards are merged into
+  std::size_t shards = 1;
+  int workers = 1;                   ///< processors of an element
+  int round = 1;                     ///< of the study: the merge submits the next one while work is left
+  std::vector<std::string> run;      ///< options of `run` that hold for every element: --set, --timeout, ...
+  std::vector<std::string> again;    ///< options of `run --engine slurm` for the next round
+  std::vector<std::string> options;  ///< of sbatch, for both scripts: "--partition=long"
+};
+
+/// One element a shard. It works on a local disk; what is whole is moved to the share. Slurm may run an
+/// element twice or again: the second one finds the shard there, or is dropped when it comes too late.
+std::string array_script(const SlurmScripts&);
+
+/// Takes over every shard that is whole, then goes on with the study: finishes it, or submits the next round.
+std::string merge_script(const SlurmScripts&);
+
+/// A word for the shell, in quotes where it needs them.
+std::string shell_word(const std::string&);
+
+}  // namespace mpmstudy

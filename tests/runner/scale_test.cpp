@@ -1,0 +1,108 @@
+// A study of 100,000 jobs: what it costs to plan, to start when all is done, to run jobs that do nothing, to
+// ask. Processor time of the process.
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <ctime>
+#include <fstream>
+
+#include "runner/catalog/query.hpp"
+#include "runner/exec/run_studies.hpp"
+#include "tests/runner/fakes.hpp"
+
+namespace mpmstudy {
+namespace {
+
+/// Of this process, all threads [s].
+double cpu_seconds_now() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+class Stopwatch {
+ public:
+  double seconds() const { return cpu_seconds_now() - start_; }
+
+ private:
+  double start_ = cpu_seconds_now();
+};
+
+double largest_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+std::string study_text(int speeds, int radii) {
+  return "schema = 1\nname = \"large\"\nscene = \"cavity-impact\"\n[parameters]\nmaterial = \"aluminium\"\n"
+         "impact_speed = { from = 100, to = 500, count = " +
+         std::to_string(speeds) +
+         ", unit = \"m/s\" }\nblock_width = \"10 um\"\nblock_height = \"6 um\"\ncavity_center_height = \"3 "
+         "um\"\n"
+         "cavity_radius = { from = 1, to = 2, count = " +
+         std::to_string(radii) +
+         ", unit = \"um\" }\nend_time = \"4 ns\"\n[numerics]\ncell_size = \"0.2 um\"\n";
+}
+
+class Scale : public testing::Test {
+ protected:
+  Plan plan(int speeds, int radii) {
+    const auto path = folder.path() / "large.toml";
+    std::ofstream(path) << study_text(speeds, radii);
+    return make_plan(read_study(path));
+  }
+  RunReport run(const Plan& plan) {
+    CatalogWriter writer(folder.path());
+    Status silent;
+    const PlannedStudy study{plan, "Large", {}};
+    const Simulate nothing = [](const mpm::Scene&, mpm::Observer&) { return mpm::RunResult{}; };
+    ExecutorOptions options;
+    options.results = folder.path();
+    options.workers = 2;
+    return run_studies(std::span(&study, 1), false, writer, silent, nothing, fakes::write_snapshot, flag,
+                       options);
+  }
+  fakes::TemporaryFolder folder;
+  StopFlag flag;
+};
+
+// Times depend on the machine and on what else it does: they are printed, not judged. The aims are 2 s, 1 ms,
+// 1 s and 100 ms.
+TEST_F(Scale, a_hundred_thousand_jobs) {
+  const Stopwatch planning;
+  const Plan large = plan(250, 400);
+  const double plan_s = planning.seconds(), plan_MB = largest_megabytes();
+  ASSERT_EQ(large.jobs.size(), 100'000u);
+  EXPECT_LT(plan_MB, 300);
+
+  const Stopwatch running;
+  EXPECT_EQ(run(large).executed.done, 100'000);
+  const double job_ms = 1e3 * running.seconds() / 100'000;
+
+  const Stopwatch starting;
+  EXPECT_EQ(run(large).reused, 100'000);
+  const double start_s = starting.seconds();
+
+  double slowest_ms = 0;
+  for (const char* sql :
+       {"SELECT status, count(*) FROM jobs WHERE study = 'large' GROUP BY status",
+        "SELECT cavity_radius_m, collapsibility FROM jobs WHERE study = 'large' AND impact_speed_m_s = 100",
+        "SELECT study, substr(key, 1, 12), reason FROM jobs WHERE status = 'failed'",
+        "SELECT at, to_status FROM events WHERE key = (SELECT key FROM jobs LIMIT 1) ORDER BY id",
+        "SELECT * FROM metrics WHERE key = (SELECT key FROM jobs LIMIT 1)",
+        "SELECT * FROM area_history WHERE key = (SELECT key FROM jobs LIMIT 1)",
+        "SELECT * FROM jobs LIMIT 1000"}) {
+    const Stopwatch asking;
+    query(folder.path(), sql);
+    const double ms = 1e3 * asking.seconds();
+    slowest_ms = std::max(slowest_ms, ms);
+  }
+  std::printf(
+      "plan %.2f s, %.0f MB; %.3f ms a job that does nothing; start when all is done %.2f s; slowest view "
+      "%.0f ms\n",
+      plan_s, plan_MB, job_ms, start_s, slowest_ms);
+}
+
+}  // namespace
+}  // namespace mpmstudy
