@@ -3,7 +3,7 @@ add_library(mpm_options INTERFACE)
 target_compile_options(mpm_options INTERFACE -Wall -Wextra)
 # GCC 12 sees overlapping or endless copies in every `"text" + std::string` (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(mpm_options INTERFACE -Wno-restrict -Wno-stringop-overflow)
+  target_compile_options(mpm_options INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
 # The same bits on every machine that runs the same binary: no contraction and no reassociation unless a
 # kernel asks for it.

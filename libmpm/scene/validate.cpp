@@ -126,6 +126,10 @@ void check_size(const Scene& s, Report& report) {
   const double particles = width / h * (height / h) * s.numerics.particles_per_cell;
   report.require(particles <= most_particles, "cell_size",
                  "large enough for at most 1e9 particles (these would be " + number(particles) + ")");
+  // The fast step keeps the number of a particle's node beside its position. Room for the block to double.
+  if (s.numerics.precision == Precision::single_precision)
+    report.require(width / h * (height / h) <= 0x1p23, "cell_size",
+                   "large enough for at most 2^23 cells when precision is \"float\"");
   const double steps = s.end_time * s.material.bulk_sound_speed / (s.numerics.cfl * h);
   report.require(steps <= most_steps, "end_time",
                  "short enough for at most 1e9 steps (these would be " + number(steps) + " or more)");

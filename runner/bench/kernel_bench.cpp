@@ -1,6 +1,7 @@
 #include "runner/bench/kernel_bench.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -48,17 +49,23 @@ class Walk {
   }
   std::size_t particles() const { return particles_; }
 
-  /// Million particle updates a second over at least this many seconds of processor time.
-  double rate(double seconds) {
-    const double start = thread_cpu_seconds();
+  /// Million particle updates a second over at least this many seconds: of processor time, or with more than
+  /// one thread of time that passes.
+  double rate(double seconds, int threads = 1) {
+    const auto now = [=] {
+      return threads == 1
+                 ? thread_cpu_seconds()
+                 : std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    };
+    stepper_->use_threads(threads);
+    const double start = now();
     std::int64_t steps = 0;
     do {
       for (int k = 0; k < 4; ++k, ++steps)
         signal_ = stepper_->step(state_, scene_.numerics.cfl * state_.grid.cell().minCoeff() / signal_)
                       .largest_signal;
-    } while (thread_cpu_seconds() - start < seconds);
-    return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) /
-           (thread_cpu_seconds() - start);
+    } while (now() - start < seconds);
+    return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) / (now() - start);
   }
 
   mpm::StepTimes times() const { return stepper_->times(); }
@@ -109,13 +116,21 @@ KernelBench bench_kernel(const KernelBenchOptions& options) {
       scene.numerics.precision = mpm::Precision::double_precision;
       scene.numerics.kernel = mpm::Kernel::reference;
       Walk reference(scene);
-      std::vector<std::vector<double>> rates(fast.size()), ratios(fast.size());
+      // a pair of lists of rates for each precision and number of threads
+      struct Rates {
+        std::size_t precision;
+        int threads;
+        std::vector<double> fast, to_reference;
+      };
+      std::vector<Rates> measured;
+      for (std::size_t p = 0; p < fast.size(); ++p)
+        for (const int threads : options.threads) measured.push_back({p, threads, {}, {}});
       std::vector<double> reference_rates;
       for (int k = 0; k < options.repetitions; ++k) {
         reference_rates.push_back(reference.rate(options.seconds));
-        for (std::size_t p = 0; p < fast.size(); ++p) {
-          rates[p].push_back(fast[p].rate(options.seconds));
-          ratios[p].push_back(rates[p].back() / reference_rates.back());
+        for (Rates& r : measured) {
+          r.fast.push_back(fast[r.precision].rate(options.seconds, r.threads));
+          r.to_reference.push_back(r.fast.back() / reference_rates.back());
         }
       }
       const auto row = [&](const char* kernel, std::size_t precision, const Walk& walk, double rate) {
@@ -129,14 +144,17 @@ KernelBench bench_kernel(const KernelBenchOptions& options) {
         r.bytes_per_particle = walk.bytes_per_particle();
         return r;
       };
-      for (std::size_t p = 0; p < fast.size(); ++p) {
-        KernelBenchRow r = row("fast", p, fast[p], median(rates[p]));
-        r.ratio_to_reference = median(ratios[p]);
+      for (const Rates& m : measured) {
+        KernelBenchRow r = row("fast", m.precision, fast[m.precision], median(m.fast));
+        r.threads = m.threads;
+        r.ratio_to_reference = median(m.to_reference);
         // everything that a step keeps is read and written once
         const KernelWork work{operations(scene.numerics.scheme), 2 * r.bytes_per_particle};
-        r.roofline_share =
-            1e6 * r.million_particle_updates_per_s / roofline_rate(bench.roofline, work, p == 1);
-        const mpm::StepTimes t = fast[p].times();
+        const bool single = precisions.allowed[m.precision] == "float";
+        if (m.threads == 1)
+          r.roofline_share =
+              1e6 * r.million_particle_updates_per_s / roofline_rate(bench.roofline, work, single);
+        const mpm::StepTimes t = fast[m.precision].times();
         const double all = t.sort + t.grid + t.particles;
         r.sort_share = t.sort / all, r.grid_share = t.grid / all;
         bench.rows.push_back(std::move(r));

@@ -16,15 +16,17 @@ struct KernelBenchRow {
   std::string precision;  ///< double, float
   int threads = 1;
   std::int64_t particles = 0;
-  double million_particle_updates_per_s = 0;  ///< on one core, median of the repetitions
+  double million_particle_updates_per_s = 0;  ///< median of the repetitions; of processor time, or, with more
+                                              ///< than one thread, of time that passed
   double ratio_to_reference = 0;              ///< of the same run
   double bytes_per_particle = 0;              ///< particles, nodes and what the step keeps beside them
-  double roofline_share = 0;                  ///< of what the roofline allows; 0 for the reference
+  double roofline_share = 0;  ///< of what the roofline allows; 0 for the reference and for more threads
   double sort_share = 0, grid_share = 0;  ///< of the time of a step; the rest is the pass over the particles
 };
 
 struct KernelBenchOptions {
   std::vector<std::int64_t> particles = {10000, 150000};  ///< wanted; the lattice gives about that many
+  std::vector<int> threads = {1};                         ///< of the fast step, in one run
   int repetitions = 5;                                    ///< of which the median counts
   double seconds = 0.3;                                   ///< of one repetition
   bool elastic = false;                                   ///< without plasticity

@@ -18,6 +18,8 @@ void setup_bench(CLI::App& app) {
   CLI::App& kernel = *verb.add_subcommand("kernel", "Particle updates a second, fast step against reference");
   kernel.add_option("--particles", options->kernel.particles, "Sizes to measure [10000 150000]")
       ->check(CLI::Range(1000, 100'000'000));
+  kernel.add_option("--threads", options->kernel.threads, "Threads in one run, by time that passes [1]")
+      ->check(CLI::Range(1, 1024));
   kernel.add_option("--repetitions", options->kernel.repetitions, "The median of these counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

@@ -235,4 +235,38 @@ TEST(FastRun, FloatHasFourDigits) {
 
 TEST(FastRun, PlanarImpact) { expect_same_run(scenes::planar(200, 10e-6, 0.1e-6, 2e-9), 1e-9); }
 
+/// As many threads as the run can use, and not always the same.
+class Threads : public mpm::Observer {
+ public:
+  int threads() override { return 1 + step_++ % 4; }
+
+ private:
+  int step_ = 0;
+};
+
+void expect_same_bits(const mpm::RunResult& a, const mpm::RunResult& b) {
+  ASSERT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.energy_error, b.energy_error);
+  ASSERT_EQ(a.area_history.size(), b.area_history.size());
+  for (std::size_t k = 0; k < a.area_history.size(); ++k)
+    EXPECT_EQ(a.area_history[k].area, b.area_history[k].area) << k;
+  for (std::size_t k = 0; k < a.metrics.size(); ++k)
+    EXPECT_EQ(a.metrics[k].value, b.metrics[k].value) << a.metrics[k].name;
+}
+
+TEST(FastRun, BitsDoNotDependOnThreads) {
+  for (const auto precision : {mpm::Precision::double_precision, mpm::Precision::single_precision}) {
+    mpm::Scene s = scenes::cavity(0.04e-6);
+    s.impact_speed = 1120;
+    s.end_time = 0.1e-9;
+    s.measures.area_every = 0.02e-9;
+    s.numerics.precision = precision;
+    Threads threads;
+    const mpm::RunResult many = mpm::run(s, threads), one = mpm::run(s);
+    EXPECT_GT(many.helper_seconds, 0);
+    EXPECT_EQ(one.helper_seconds, 0);
+    expect_same_bits(many, one);
+  }
+}
+
 }  // namespace

@@ -16,6 +16,12 @@ using Clock = std::chrono::steady_clock;
 /// PERFORMANCE.md.
 constexpr double sort_cost = 0.5;
 
+/// Of the grid, that a thread takes at a time.
+constexpr int rows_of_part = 32;
+
+/// A thread that is given fewer costs more than it brings: PERFORMANCE.md.
+constexpr std::size_t least_particles = 10000;
+
 /// Rows beyond those of its band where a stencil may start. Bands of the same parity then never meet.
 constexpr int band_reach = 2;
 
@@ -88,53 +94,75 @@ Band<Real> FastStepper<Real>::band(const typename Blocks<Real>::Range& range) {
           std::min(range.last_row + band_reach, grid_->nodes().rows - 3)};
 }
 
+/// Bands of the same parity touch different nodes, so that they are anybody's; the odd ones follow the even
+/// ones.
 template <class Real>
 SweepReport FastStepper<Real>::sweep(double dt) {
+  const auto bands = blocks_->bands();
+  reports_.assign(bands.size(), {});
+  for (const std::size_t parity : {0, 1})
+    team_.run((bands.size() + 1 - parity) / 2, [&, parity](std::size_t k) {
+      SweepReport& own = reports_[2 * k + parity];
+      own.lowest_node = std::numeric_limits<double>::infinity();
+      kernels_.sweep(band(bands[2 * k + parity]), grid_->nodes(), constants_, dt, own);
+    });
+
   SweepReport sums{};
   sums.lowest_node = std::numeric_limits<double>::infinity();
   stray_ = false;
-  const auto bands = blocks_->bands();
-  for (const std::size_t parity : {0, 1})
-    for (std::size_t b = parity; b < bands.size(); b += 2) {
-      SweepReport own{};
-      own.lowest_node = std::numeric_limits<double>::infinity();
-      kernels_.sweep(band(bands[b]), grid_->nodes(), constants_, dt, own);
-      sums.largest_signal = std::max(sums.largest_signal, own.largest_signal);
-      sums.smallest_dilation = std::min(sums.smallest_dilation, own.smallest_dilation);
-      sums.largest_dilation = std::max(sums.largest_dilation, own.largest_dilation);
-      sums.overpressed += own.overpressed;
-      sums.lowest_node = std::min(sums.lowest_node, own.lowest_node);
-      sums.highest_node = std::max(sums.highest_node, own.highest_node);
-      sums.transfer_heat += own.transfer_heat;
-      sums.momentum_x += own.momentum_x;
-      sums.momentum_y += own.momentum_y;
-      sums.out_of_step += own.out_of_step;
-      sums.broken |= own.broken;
-      const int stride = grid_->nodes().stride;
-      stray_ |= own.lowest_node < (bands[b].first_row - 1) * stride ||
-                own.highest_node >= (bands[b].last_row + 2) * stride;
-    }
+  const int stride = grid_->nodes().stride;
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    const SweepReport& own = reports_[b];
+    sums.largest_signal = std::max(sums.largest_signal, own.largest_signal);
+    sums.smallest_dilation = std::min(sums.smallest_dilation, own.smallest_dilation);
+    sums.largest_dilation = std::max(sums.largest_dilation, own.largest_dilation);
+    sums.overpressed += own.overpressed;
+    sums.lowest_node = std::min(sums.lowest_node, own.lowest_node);
+    sums.highest_node = std::max(sums.highest_node, own.highest_node);
+    sums.transfer_heat += own.transfer_heat;
+    sums.momentum_x += own.momentum_x;
+    sums.momentum_y += own.momentum_y;
+    sums.out_of_step += own.out_of_step;
+    sums.broken |= own.broken;
+    stray_ |= own.lowest_node < (bands[b].first_row - 1) * stride ||
+              own.highest_node >= (bands[b].last_row + 2) * stride;
+  }
   return sums;
+}
+
+/// What the particles gave to the nodes becomes motion. Rows do not ask for each other.
+template <class Real>
+void FastStepper<Real>::move(Floor floor, double dt) {
+  const Nodes<Real>& nodes = grid_->nodes();
+  const auto each_row = [&](auto&& work) {
+    const int rows = last_row_ - first_row_ + 1, parts = (rows + rows_of_part - 1) / rows_of_part;
+    team_.run(static_cast<std::size_t>(parts), [&](std::size_t k) {
+      const int first = first_row_ + static_cast<int>(k) * rows_of_part;
+      work(first, std::min(first + rows_of_part - 1, last_row_));
+    });
+  };
+  each_row([&](int first, int last) {
+    kernels_.collect(nodes, first, last);
+    grid_->reflect_sides(first, last);
+  });
+  if (floor == Floor::mirror && first_row_ == -1) grid_->reflect_floor();
+  each_row([&](int first, int last) { kernels_.move(nodes, first, last, dt); });
+  if (floor == Floor::impact_wall && first_row_ == -1) grid_->push_off_wall();
+  moved_first_ = first_row_, moved_last_ = last_row_;
 }
 
 template <class Real>
 StepReport FastStepper<Real>::step(State& state, double dt) {
   if (!blocks_) begin(state);
-  const Nodes<Real>& nodes = grid_->nodes();
   auto now = Clock::now();
   const auto spent = [&now](double& on) {
     const auto then = std::exchange(now, Clock::now());
     on += std::chrono::duration<double>(now - then).count();
   };
-  kernels_.collect(nodes, first_row_, last_row_);
-  grid_->reflect_sides(first_row_, last_row_);
-  if (state.floor == Floor::mirror && first_row_ == -1) grid_->reflect_floor();
-  kernels_.move(nodes, first_row_, last_row_, dt);
-  if (state.floor == Floor::impact_wall && first_row_ == -1) grid_->push_off_wall();
-  moved_first_ = first_row_, moved_last_ = last_row_;
+  move(state.floor, dt);
   spent(times_.grid);
   if (stray_ || static_cast<double>(out_of_step_) > sort_cost * static_cast<double>(blocks_->count())) {
-    blocks_->sort(nodes.rows);
+    blocks_->sort(grid_->nodes().rows);
     out_of_step_ = 0;
   }
   spent(times_.sort);
@@ -155,6 +183,13 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
   state.time += dt;
   ++state.step;
   return report;
+}
+
+template <class Real>
+void FastStepper<Real>::use_threads(int threads) {
+  const std::size_t particles = blocks_ ? blocks_->count() * Blocks<Real>::width : 0;
+  const auto most = static_cast<int>(std::max<std::size_t>(particles / least_particles, 1));
+  team_.resize(std::min(threads, most));
 }
 
 template <class Real>

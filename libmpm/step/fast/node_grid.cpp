@@ -19,7 +19,7 @@ template <class Real>
 void NodeGrid<Real>::reach(int row) {
   const int rows = row + 3 + spare_rows;
   if (rows <= nodes_.rows) return;
-  nodes_.rows = rows + rows / 4;
+  nodes_.rows = rows + rows / 16;
   const std::ptrdiff_t nodes = static_cast<std::ptrdiff_t>(nodes_.rows) * nodes_.stride;
   // one more group before the first and behind the last: packs look at their neighbours
   const auto grow = [&](AlignedArray<Real>& values, int components) {
