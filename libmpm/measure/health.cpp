@@ -5,13 +5,15 @@
 #include <numeric>
 #include <sstream>
 
+#include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
 
 namespace mpm {
 namespace {
 
-constexpr double lowest_dilation = -0.75, highest_dilation = 9;
-constexpr double most_overpressed = 0.01;
+constexpr double most_beyond = 0.01;             // of the mass, beyond the equation of state
+constexpr double crushed = -0.95;                // J - 1 that no particle may have
+constexpr double largest_kinetic_growth = 0.01;  // beyond all the energy there is
 constexpr double largest_energy_error = 0.01;
 constexpr double largest_cfl = 1;
 constexpr double largest_signal_growth = 100;
@@ -35,7 +37,8 @@ std::size_t worst_particle(Health::Trouble trouble, const State& s) {
       case Health::Trouble::not_finite:
         return is_finite(ps, p) ? (is_inside(ps.position[p], s.grid) ? 0.0 : 1.0) : 2.0;
       case Health::Trouble::density:  // by how much it is beyond its end of the range
-        return std::max(ps.dilation[p] / highest_dilation, ps.dilation[p] / lowest_dilation);
+        return std::max(ps.dilation[p] / MieGrueneisen::most_dilation,
+                        ps.dilation[p] / MieGrueneisen::least_dilation);
       case Health::Trouble::pressure:
         return ps.pressure[p];
       default:
@@ -64,7 +67,8 @@ std::string_view advice(Health::Trouble trouble) {
 }  // namespace
 
 Health::Health(const Scene& scene, const State& s)
-    : mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
+    : initial_energy_(energy_of(s.particles).total()),
+      mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
       pressure_limit_(scene.material.pressure_limit),
       cell_(s.grid.cell().minCoeff()),
       largest_signal_(
@@ -74,6 +78,7 @@ Health::Health(const Scene& scene, const State& s)
            initial_speed(scene))) {}
 
 void Health::after_step(const State&, const StepReport& report, double dt) {
+  overstrained_mass_ = std::max(overstrained_mass_, report.overstrained_mass);
   last_ = report;
   last_cfl_ = dt * report.largest_signal / cell_;
   largest_cfl_ = std::max(largest_cfl_, last_cfl_);
@@ -83,11 +88,12 @@ void Health::after_step(const State&, const StepReport& report, double dt) {
 
 Health::Trouble Health::trouble(double energy_error) const {
   if (!std::isfinite(last_.largest_signal)) return Trouble::not_finite;
-  if (last_.smallest_dilation < lowest_dilation || last_.largest_dilation > highest_dilation)
+  if (last_.smallest_dilation < crushed || last_.overstrained_mass > most_beyond * mass_)
     return Trouble::density;
-  if (last_.overpressed_mass > most_overpressed * mass_) return Trouble::pressure;
+  if (last_.overpressed_mass > most_beyond * mass_) return Trouble::pressure;
   if (last_.largest_signal > largest_signal_) return Trouble::signal;
   if (last_cfl_ > largest_cfl) return Trouble::time_step;
+  if (last_.kinetic_energy > (1 + largest_kinetic_growth) * initial_energy_) return Trouble::growth;
   if (!(energy_error < largest_energy_error)) return Trouble::energy;
   return Trouble::none;
 }
@@ -102,13 +108,15 @@ std::string Health::describe(Trouble trouble, const State& s, double energy_erro
       break;
     case Trouble::density:
       text << "density left its range: rho0/rho from " << 1 + last_.smallest_dilation << " to "
-           << 1 + last_.largest_dilation << ", allowed " << 1 + lowest_dilation << " to "
-           << 1 + highest_dilation;
+           << 1 + last_.largest_dilation << ", " << 100 * last_.overstrained_mass / mass_
+           << " % of the mass outside " << 1 + MieGrueneisen::least_dilation << " to "
+           << 1 + MieGrueneisen::most_dilation << "; allowed " << 100 * most_beyond
+           << " %, and no particle below " << 1 + crushed;
       break;
     case Trouble::pressure:
       text << 100 * last_.overpressed_mass / mass_
            << " % of the mass is beyond the equation of state, pressure_limit = " << pressure_limit_
-           << " Pa; allowed " << 100 * most_overpressed << " %";
+           << " Pa; allowed " << 100 * most_beyond << " %";
       break;
     case Trouble::signal:
       text << "the fastest signal is " << last_.largest_signal << " m/s, allowed " << largest_signal_
@@ -116,6 +124,10 @@ std::string Health::describe(Trouble trouble, const State& s, double energy_erro
       break;
     case Trouble::time_step:
       text << "the time step was too long: CFL number " << last_cfl_ << ", allowed " << largest_cfl;
+      break;
+    case Trouble::growth:
+      text << "the motion grows by itself: kinetic energy " << last_.kinetic_energy << " J/m, of "
+           << initial_energy_ << " J/m that there were in all";
       break;
     case Trouble::energy:
       text << "energy error " << energy_error << ", allowed " << largest_energy_error;
@@ -134,6 +146,7 @@ std::string Health::describe(Trouble trouble, const State& s, double energy_erro
 void Health::finish(const State&, RunResult& result) {
   result.metrics.push_back({"smallest_density_ratio", 1 / (1 + largest_dilation_), "1", {}});
   result.metrics.push_back({"largest_density_ratio", 1 / (1 + smallest_dilation_), "1", {}});
+  result.metrics.push_back({"overstrained_mass_fraction", overstrained_mass_ / mass_, "1", {}});
   result.metrics.push_back({"largest_cfl", largest_cfl_, "1", {}});
 }
 

@@ -24,8 +24,10 @@ struct StepReport {
   /// finite or a particle is outside the grid.
   double largest_signal = 0;
   double smallest_dilation = 0, largest_dilation = 0;  ///< J - 1 [1]
-  double overpressed_mass = 0;  ///< of particles beyond the range of the equation of state [kg/m]
-  double transfer_heat = 0;     ///< kinetic energy that the transfer took and left as heat in this step [J/m]
+  double overpressed_mass = 0;   ///< of particles beyond the pressure limit of the equation of state [kg/m]
+  double overstrained_mass = 0;  ///< of particles beyond its densities, MieGrueneisen::holds_at [kg/m]
+  double kinetic_energy = 0;     ///< [J/m]
+  double transfer_heat = 0;  ///< kinetic energy that the transfer took and left as heat in this step [J/m]
   Vec2 wall_impulse = Vec2::Zero();  ///< that all walls gave in this step [kg/s]
 };
 

@@ -22,7 +22,7 @@ Mat2 at_middle(const Mat2& l, double dt) {
 
 void update_stress(State& state, const MaterialModel& model, double dt, StepReport& report) {
   Particles& ps = state.particles;
-  double lowest = 0, highest = 0, fastest = 0, overpressed = 0;
+  double lowest = 0, highest = 0, fastest = 0, overpressed = 0, overstrained = 0, kinetic = 0;
   bool finite = true;  // std::max would lose a NaN
   for (std::size_t p = 0; p < ps.size(); ++p) {
     const Mat2& l = state.velocity_gradient[p];
@@ -59,11 +59,15 @@ void update_stress(State& state, const MaterialModel& model, double dt, StepRepo
     finite &= std::isfinite(signal) && std::isfinite(ps.pressure[p]) && std::isfinite(ps.energy[p]);
     fastest = std::max(fastest, signal);
     if (ps.pressure[p] > model.eos.pressure_limit) overpressed += ps.mass[p];
+    if (!MieGrueneisen::holds_at(volume.dilation)) overstrained += ps.mass[p];
+    kinetic += 0.5 * ps.mass[p] * ps.velocity[p].squaredNorm();
     lowest = std::min(lowest, volume.dilation);
     highest = std::max(highest, volume.dilation);
   }
   report.largest_signal = finite ? fastest : std::numeric_limits<double>::quiet_NaN();
   report.overpressed_mass = overpressed;
+  report.overstrained_mass = overstrained;
+  report.kinetic_energy = kinetic;
   report.smallest_dilation = lowest;
   report.largest_dilation = highest;
 }

@@ -8,7 +8,8 @@ namespace mpm {
 ///   s by J2 with the rotation of W;   q by the artificial viscosity;
 ///   P = cold(J) + thermal (e + dt (s : D - (P + q) tr D) / (2 rho)), linear in P and solved for it.
 /// Particles carry e at half steps, as FLIP carries v: the bracket takes it to the end of the step,
-/// implicitly. Fills the report's signal, dilations and overpressed mass.
+/// implicitly. Fills the report's signal, dilations, kinetic energy and the mass beyond the equation of
+/// state.
 void update_stress(State&, const MaterialModel&, double dt, StepReport&);
 
 }  // namespace mpm

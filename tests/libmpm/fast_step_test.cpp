@@ -101,6 +101,8 @@ void expect_reference_on_random_states(double tolerance) {
         const mpm::StepReport x = fast.step(a, dt), y = reference(b, scene, dt);
         EXPECT_NEAR(x.largest_signal / y.largest_signal, 1, tolerance);
         EXPECT_NEAR(x.overpressed_mass / y.overpressed_mass, 1, tolerance);
+        EXPECT_EQ(x.overstrained_mass > 0, y.overstrained_mass > 0);
+        EXPECT_NEAR(x.kinetic_energy / y.kinetic_energy, 1, tolerance);
         EXPECT_NEAR(x.smallest_dilation, y.smallest_dilation, tolerance);
         EXPECT_NEAR(x.largest_dilation, y.largest_dilation, tolerance);
         EXPECT_NEAR(x.transfer_heat / y.transfer_heat, 1, tolerance);

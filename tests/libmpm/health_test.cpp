@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "libmpm/measure/energy.hpp"
 #include "libmpm/measure/health.hpp"
 #include "libmpm/scene/build.hpp"
 #include "tests/libmpm/scenes.hpp"
@@ -25,6 +27,9 @@ struct HealthTest : testing::Test {
   }();
   double dt = 0.4 * 0.2e-6 / 7000;
 
+  double mass() const {
+    return std::accumulate(state.particles.mass.begin(), state.particles.mass.end(), 0.0);
+  }
   std::string said(double energy_error = 0) {
     health.after_step(state, report, dt);
     return health.describe(health.trouble(energy_error), state, energy_error);
@@ -47,16 +52,31 @@ TEST_F(HealthTest, FindsTheParticleThatLeft) {
 
 TEST_F(HealthTest, FindsTheLeastDensity) {
   state.particles.dilation[5] = report.largest_dilation = 9.5;
-  EXPECT_THAT(said(), testing::AllOf(HasSubstr("density left its range: rho0/rho from 1 to 10.5"),
-                                     HasSubstr("particle 5 at"), HasSubstr("try a smaller cfl")));
+  report.overstrained_mass = 0.009 * mass();
+  EXPECT_EQ(said(), "");
+  report.overstrained_mass = 0.011 * mass();
+  EXPECT_THAT(said(),
+              testing::AllOf(HasSubstr("density left its range: rho0/rho from 1 to 10.5, 1.1 % of the mass"),
+                             HasSubstr("particle 5 at"), HasSubstr("try a smaller cfl")));
+}
+
+TEST_F(HealthTest, FindsAParticleThatIsCrushed) {
+  state.particles.dilation[7] = report.smallest_dilation = -0.96;
+  EXPECT_THAT(said(), testing::AllOf(HasSubstr("rho0/rho from 0.04 to 1"), HasSubstr("particle 7 at")));
+}
+
+TEST_F(HealthTest, CatchesMotionThatGrowsByItself) {
+  const double initial = mpm::energy_of(state.particles).total();
+  report.kinetic_energy = 1.009 * initial;
+  EXPECT_EQ(said(), "");
+  report.kinetic_energy = 1.011 * initial;
+  EXPECT_THAT(said(), HasSubstr("the motion grows by itself"));
 }
 
 TEST_F(HealthTest, AllowsSinglePressuresBeyondTheEquationOfState) {
-  double mass = 0;
-  for (const double m : state.particles.mass) mass += m;
-  report.overpressed_mass = 0.009 * mass;
+  report.overpressed_mass = 0.009 * mass();
   EXPECT_EQ(said(), "");
-  report.overpressed_mass = 0.011 * mass;
+  report.overpressed_mass = 0.011 * mass();
   EXPECT_THAT(said(), HasSubstr("1.1 % of the mass is beyond the equation of state"));
 }
 

@@ -2,70 +2,14 @@
 #include <limits>
 #include <numbers>
 #include <random>
-#include <sstream>
 
 #include "libmpm/measure/energy.hpp"
-#include "libmpm/scene/build.hpp"
-#include "libmpm/scene/run.hpp"
-#include "tests/stability/case.hpp"
+#include "tests/stability/bodies.hpp"
 
 namespace stability {
 namespace {
 
 using mpm::Vec2;
-
-constexpr double um = 1e-6, ns = 1e-9;
-
-/// A scene whose body is made by hand: it lends material, numerics and times.
-mpm::Scene frame(double speed, double cell, double end_time) {
-  mpm::Scene s;
-  s.kind = mpm::SceneKind::cavity_impact;
-  s.material = mpm::named_material("aluminium");
-  s.impact_speed = speed;
-  s.numerics = mpm::default_numerics(s.kind);
-  s.numerics.cell_size = cell;
-  s.end_time = end_time;
-  s.measures.area_every = end_time / 50;
-  return s;
-}
-
-/// Nothing yet: a grid from `low`, `columns` cells wide.
-mpm::State nothing(Vec2 low, Vec2 cell, int columns) {
-  return {{}, mpm::Grid(low, cell, columns), {}, 0, 0, mpm::Floor::impact_wall};
-}
-
-/// Adds the lattice points, side x side a cell, of [low, low + size] that `inside` takes.
-template <class Inside, class Velocity>
-void fill(mpm::State& s, const mpm::Scene& scene, Vec2 low, Vec2 size, int side, const Inside& inside,
-          const Velocity& velocity) {
-  const Vec2 share = s.grid.cell() / side;
-  const double volume = share.x() * share.y();
-  for (double y = low.y() + 0.5 * share.y(); y < low.y() + size.y(); y += share.y())
-    for (double x = low.x() + 0.5 * share.x(); x < low.x() + size.x(); x += share.x())
-      if (const Vec2 at(x, y); inside(at))
-        s.particles.add(at, velocity(at), scene.material.reference_density * volume, volume, 0.5 * share);
-  s.velocity_gradient.assign(s.particles.size(), mpm::Mat2::Zero());
-}
-
-bool everywhere(const Vec2&) { return true; }
-
-mpm::RunResult go(const mpm::Scene& scene, mpm::State& state) {
-  mpm::Observer nobody;
-  return mpm::run_state(scene, state, {}, nobody);
-}
-
-/// The run held, and so did what the case asks beside it.
-Outcome also(Outcome o, bool fine, const std::string& note) {
-  o.as_expected &= fine;
-  o.note = o.note.empty() ? note : o.note + "; " + note;
-  return o;
-}
-
-std::string text(const std::string& what, double value) {
-  std::ostringstream t;
-  t << what << " " << value;
-  return t.str();
-}
 
 // ------------------------------------------------------------------ free bodies
 

@@ -40,6 +40,13 @@ std::vector<Case> study_cases(const std::string& folder);
 /// cells.
 std::vector<Case> body_cases();
 
+/// How long a step may be, for each scheme: measured against theory, and what becomes of longer ones.
+std::vector<Case> step_limit_cases();
+
+/// Runs that must give the same: in single precision, on several threads, scaled by powers of two, from
+/// velocities that are next to nothing.
+std::vector<Case> same_cases();
+
 /// Scenes drawn from the whole range that find_problems() allows.
 std::vector<Case> random_cases(int count, std::uint64_t seed);
 

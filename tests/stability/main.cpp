@@ -72,7 +72,9 @@ int main(int argc, char** argv) {
         cases.push_back(std::move(c));
   };
   take(stability::study_cases(folder));
+  take(stability::step_limit_cases());
   take(stability::body_cases());
+  take(stability::same_cases());
   const std::size_t told = cases.size();  // each of these has a row; random scenes only where they surprise
   take(stability::random_cases(random, seed));
   const std::vector<Outcome> outcomes = run_all(cases, workers);

@@ -19,6 +19,10 @@ struct MieGrueneisen {
   Tension tension;
   double spall_strength;  ///< [Pa], positive
   double pressure_limit;  ///< upper end of its validity [Pa]
+  /// Range of rho0/rho - 1: fourfold compression, tenfold expansion. Single particles go beyond it where a
+  /// cavity closes, and in what jets leave behind.
+  static constexpr double least_dilation = -0.75, most_dilation = 9;
+  static bool holds_at(double dilation) { return dilation >= least_dilation && dilation <= most_dilation; }
 
   explicit MieGrueneisen(const Material& m)
       : rho0(m.reference_density),

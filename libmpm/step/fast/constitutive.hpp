@@ -7,10 +7,10 @@
 
 namespace mpm::fast::MPM_ISA {
 
-/// Largest and smallest values of a sweep, and the volume beyond the equation of state [cells], lane by lane.
+/// Largest and smallest values of a sweep, lane by lane.
 template <class Real>
 struct Extremes {
-  Pack<Real> signal{}, low_dilation{}, high_dilation{}, overpressed{}, low_node, high_node;
+  Pack<Real> signal{}, low_dilation{}, high_dilation{}, high_pressure{}, low_node, high_node;
   Mask<Real> broken{};
 };
 
@@ -169,7 +169,7 @@ MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Cons
     extremes.signal = record ? speed + viscous + square_root(root) : extremes.signal;
   const Real infinite = __builtin_inf();
   extremes.broken |= ~((root + speed < infinite) & (magnitude(held) < infinite));
-  extremes.overpressed += held > k.pressure_limit ? f[initial_volume] : P{};
+  extremes.high_pressure = larger(extremes.high_pressure, held);
   extremes.low_dilation = smaller(extremes.low_dilation, dilation);
   extremes.high_dilation = larger(extremes.high_dilation, dilation);
 }

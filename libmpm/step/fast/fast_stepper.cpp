@@ -38,6 +38,8 @@ Constants<Real> constants_of(const MaterialModel& m, const Grid& grid) {
   k.pressure_floor =
       eos.tension == Tension::cutoff ? real(-eos.spall_strength) : -std::numeric_limits<Real>::infinity();
   k.pressure_limit = real(eos.pressure_limit);
+  k.least_dilation = real(MieGrueneisen::least_dilation);
+  k.most_dilation = real(MieGrueneisen::most_dilation);
   const J2& j2 = m.strength;
   k.shear_modulus = real(j2.shear_modulus);
   k.yield_stress = real(j2.yield_stress);
@@ -117,6 +119,8 @@ SweepReport FastStepper<Real>::sweep(double dt) {
     sums.smallest_dilation = std::min(sums.smallest_dilation, own.smallest_dilation);
     sums.largest_dilation = std::max(sums.largest_dilation, own.largest_dilation);
     sums.overpressed += own.overpressed;
+    sums.overstrained += own.overstrained;
+    sums.kinetic += own.kinetic;
     sums.lowest_node = std::min(sums.lowest_node, own.lowest_node);
     sums.highest_node = std::max(sums.highest_node, own.highest_node);
     sums.transfer_heat += own.transfer_heat;
@@ -178,6 +182,8 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
   report.smallest_dilation = sums.smallest_dilation;
   report.largest_dilation = sums.largest_dilation;
   report.overpressed_mass = unit * sums.overpressed;
+  report.overstrained_mass = unit * sums.overstrained;
+  report.kinetic_energy = unit * sums.kinetic;
   report.transfer_heat = unit * sums.transfer_heat;
   report.wall_impulse = unit * Vec2(sums.momentum_x, sums.momentum_y);
   state.time += dt;

@@ -75,8 +75,8 @@ struct Nodes {
 template <class Real>
 struct Constants {
   Real rho0, inverse_rho0;
-  Real cold_c, cold_d, cold_s, gamma0, least_sound_square, pressure_floor,
-      pressure_limit;                                                      ///< see MieGrueneisen
+  Real cold_c, cold_d, cold_s, gamma0, least_sound_square, pressure_floor, pressure_limit, least_dilation,
+      most_dilation;                                                       ///< see MieGrueneisen
   Real shear_modulus, yield_stress, isotropic_modulus, kinematic_modulus;  ///< see J2
   Real inverse_return;                                                     ///< 1 / (3 G + H)
   Real linear_viscosity, quadratic_viscosity, viscous_length;              ///< see ArtificialViscosity
@@ -96,9 +96,9 @@ struct Band {
 /// Sums over the particles of a band.
 struct SweepReport {
   double largest_signal, smallest_dilation, largest_dilation;
-  double overpressed;                ///< mass beyond the equation of state [rho0 hx hy]
+  double overpressed, overstrained;  ///< mass beyond the equation of state [rho0 hx hy]
   double lowest_node, highest_node;  ///< index of the lower left node of a stencil, after the step
-  double transfer_heat;              ///< [rho0 hx hy m^2/s^2]
+  double transfer_heat, kinetic;     ///< [rho0 hx hy m^2/s^2]
   double momentum_x, momentum_y;     ///< gained [rho0 hx hy m/s]
   std::int64_t out_of_step;          ///< blocks whose lanes do not lie in neighbouring cells
   bool broken;                       ///< a particle is not finite or left its rows
