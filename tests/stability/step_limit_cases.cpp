@@ -180,7 +180,7 @@ Outcome limit(ShapeFunction shape, int side, double viscosity, double drift) {
 /// A step of one and a half times the limit is caught at once.
 Outcome beyond(ShapeFunction shape, int side) {
   Wave w = wave(shape, side, 0, 0);
-  w.scene.numerics.cfl = 1.5 * linear_limits(shape, side).on;
+  w.scene.numerics.cfl = 1.5 * linear_limits(shape, side).beside;
   w.scene.measures.area_every = w.scene.end_time;  // samples shorten no step
   mpm::State s = w.state();
   const mpm::RunResult r = go(w.scene, s);

@@ -11,7 +11,7 @@ namespace mpm::fast::MPM_ISA {
 template <class Real>
 struct Extremes {
   Pack<Real> signal{}, low_dilation{}, high_dilation{}, high_pressure{}, low_node, high_node;
-  Mask<Real> broken{};
+  Pack<Real> finite{};  ///< 0, or not a number where a state is not finite
 };
 
 /// dt L of a pack: the gradient of the displacement over the step.
@@ -167,8 +167,7 @@ MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Cons
   const auto record = ((root > rest * rest) | (rest < 0)) & (f[initial_volume] > 0);
   if (__builtin_expect(any(record), 0))
     extremes.signal = record ? speed + viscous + square_root(root) : extremes.signal;
-  const Real infinite = __builtin_inf();
-  extremes.broken |= ~((root + speed < infinite) & (magnitude(held) < infinite));
+  extremes.finite += Real(0) * root + Real(0) * speed + Real(0) * held;
   extremes.high_pressure = larger(extremes.high_pressure, held);
   extremes.low_dilation = smaller(extremes.low_dilation, dilation);
   extremes.high_dilation = larger(extremes.high_dilation, dilation);

@@ -222,7 +222,7 @@ struct Sweep {
       raise(report.highest_node, extremes.high_node[l]);
       lower(report.lowest_node, extremes.low_node[l]);
       lower(report.smallest_dilation, extremes.low_dilation[l]);
-      report.broken |= extremes.broken[l] != 0;
+      report.broken |= extremes.finite[l] != 0;
     }
   }
 };
