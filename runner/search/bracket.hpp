@@ -36,12 +36,16 @@ struct Bracket {
 
 class BracketSearch {
  public:
-  /// `guess`: index near which to begin; without one the whole lattice is searched.
-  explicit BracketSearch(int intervals, std::optional<int> guess = {});
+  /// `guess`: two indices between which the value is thought to be; without them the whole lattice is
+  /// searched.
+  explicit BracketSearch(int intervals, std::optional<Bracket> guess = {});
 
-  void tell(int index, Verdict);
+  /// `distance`: how far the run was from the other verdict, in any one measure, 0 if it is not known.
+  void tell(int index, Verdict, double distance = 0);
   /// What to try next, at most `most` values (at least two to begin with, so that both sides are tried);
-  /// empty: nothing is left to try. Depends on nothing but what was told.
+  /// empty: nothing is left to try. Depends on nothing but what was told. Between two ends one value is where
+  /// the straight line through their distances changes sign; every third time it is the middle, so that a
+  /// measure that is not straight costs little.
   std::vector<int> next(int most) const;
 
   /// Smallest value above and the largest below it; empty until both are known.
@@ -52,13 +56,19 @@ class BracketSearch {
   std::string flags(const Lattice&) const;
 
  private:
-  bool known(int index) const { return verdicts_.contains(index); }
+  bool known(int index) const { return told_.contains(index); }
   std::vector<int> outwards() const;
   std::vector<int> inwards(int low, int high, int most) const;
+  std::optional<int> crossing(const Bracket&) const;
+
+  struct Told {
+    Verdict verdict = Verdict::broken;
+    double distance = 0;
+  };
 
   int intervals_;
-  std::optional<int> guess_;
-  std::map<int, Verdict> verdicts_;
+  std::optional<Bracket> guess_;
+  std::map<int, Told> told_;
 };
 
 }  // namespace mpmstudy

@@ -10,10 +10,11 @@
 namespace mpmstudy {
 namespace {
 
-/// Runs of a round that are aimed at: a few points get several values each, many points one. A constant, not
-/// the number of workers: rounds must not depend on the machine.
-constexpr int runs_a_round = 8;
-constexpr int most_values = 3;
+/// Runs of a round that are aimed at: one value a point, which needs the fewest runs; two where few points
+/// are left and workers would wait. A constant, not the number of workers: rounds must not depend on the
+/// machine.
+constexpr int runs_a_round = 4;
+constexpr int most_values = 2;
 
 const mpm::Quantity* axis_of(const Study& study) {
   for (const std::string& name : study.swept)
@@ -59,9 +60,16 @@ std::optional<double> Search::found_at(std::size_t family, double along, double 
   return std::nullopt;
 }
 
-/// Where to begin: the coarser cells of the same point, going on as the two coarsest did (first order in the
-/// cell); on the coarsest cell, the straight line between the neighbours that are found.
-std::optional<int> Search::guess(const Entry& entry) const {
+/// Where to begin. With two coarser cells of the same point: between the finer of them and where the straight
+/// line through both has this cell (first order); critical values shift by less than that. With one: around
+/// it. On the coarsest cell: around the straight line between the neighbours that are found.
+std::optional<Bracket> Search::guess(const Entry& entry) const {
+  constexpr double around = 2;
+  const auto between = [](double a, double b) {
+    const auto [low, high] = std::minmax(a, b);
+    const double widen = std::max(0.0, around - (high - low)) / 2;
+    return Bracket{static_cast<int>(std::floor(low - widen)), static_cast<int>(std::ceil(high + widen))};
+  };
   const SearchPoint& p = entry.point;
   std::vector<std::pair<double, double>> coarser;  // cell, index; coarse first
   for (const Entry& e : entries_)
@@ -69,14 +77,11 @@ std::optional<int> Search::guess(const Entry& entry) const {
       if (const auto middle = found_at(p.family, p.along, e.point.cell);
           middle && e.point.family == p.family && e.point.along == p.along)
         coarser.emplace_back(e.point.cell, *middle);
-  const auto limited = [this](double index) {
-    return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(lattice_.intervals)));
-  };
-  if (coarser.size() == 1) return limited(coarser[0].second);
+  if (coarser.size() == 1) return between(coarser[0].second - around, coarser[0].second + around);
   if (coarser.size() > 1) {
     const auto [h1, y1] = coarser[coarser.size() - 2];
     const auto [h2, y2] = coarser.back();
-    return limited(y2 + (y2 - y1) * (h2 - p.cell) / (h1 - h2));
+    return between(y2, y2 + (y2 - y1) * (h2 - p.cell) / (h1 - h2));
   }
   std::optional<std::pair<double, double>> left, right;
   for (const Entry& e : entries_) {
@@ -87,8 +92,9 @@ std::optional<int> Search::guess(const Entry& entry) const {
     if (e.point.along > p.along && (!right || e.point.along < right->first)) right = {e.point.along, *middle};
   }
   if (!left || !right) return std::nullopt;
-  return limited(left->second +
-                 (right->second - left->second) * (p.along - left->first) / (right->first - left->first));
+  const double line =
+      left->second + (right->second - left->second) * (p.along - left->first) / (right->first - left->first);
+  return between(line - around, line + around);
 }
 
 /// Starts the searches whose guesses are there. On the coarsest cell both ends of the axis begin without one,
@@ -140,10 +146,10 @@ std::vector<mpm::Scene> Search::next_round() {
   return scenes;
 }
 
-void Search::tell(const std::string& key, Verdict verdict) {
+void Search::tell(const std::string& key, Verdict verdict, double distance) {
   for (Entry& e : entries_)
     for (const auto& [index, run] : e.runs)
-      if (run == key) e.search->tell(index, verdict);
+      if (run == key) e.search->tell(index, verdict, distance);
 }
 
 std::vector<FoundBracket> Search::brackets() const {
