@@ -1,6 +1,7 @@
 #include "runner/search/search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
