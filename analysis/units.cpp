@@ -109,11 +109,10 @@ std::string axis_label(const Quantity& quantity, const DisplayUnit& unit) {
   return label;
 }
 
-std::string value_label(const Quantity& quantity, double si_value) {
-  const DisplayUnit unit = display_unit(quantity.unit, si_value);
+std::string value_label(const Quantity& quantity, double in_si) {
+  const DisplayUnit unit = display_unit(quantity.unit, in_si);
   const std::string& name = quantity.symbol.empty() ? quantity.name : quantity.symbol;
-  return fmt::format("{} = {:.4g}{}{}", name, si_value * unit.factor, unit.text.empty() ? "" : " ",
-                     unit.text);
+  return fmt::format("{} = {:.4g}{}{}", name, in_si * unit.factor, unit.text.empty() ? "" : " ", unit.text);
 }
 
 }  // namespace analysis

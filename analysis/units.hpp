@@ -30,6 +30,6 @@ DisplayUnit display_unit(std::string_view si_unit, double largest);
 std::string axis_label(const Quantity&, const DisplayUnit&);
 
 /// "R = 1.5 µm", for legends; four digits.
-std::string value_label(const Quantity&, double si_value);
+std::string value_label(const Quantity&, double in_si);
 
 }  // namespace analysis

@@ -10,7 +10,7 @@
 namespace mpm {
 
 /// Raised whenever the bits of any result may change; part of every job's key.
-inline constexpr int physics_version = 2;
+inline constexpr int physics_version = 3;
 
 struct Progress {
   std::int64_t step = 0;
@@ -50,6 +50,8 @@ class Observer {
   virtual ~Observer() = default;
   /// After every step. Return false to stop the run.
   virtual bool on_step(const Progress&) { return true; }
+  /// How many threads the next step may use, with the one that runs it. Results do not depend on it.
+  virtual int threads() { return 1; }
   virtual void on_area(const AreaSample&) {}
   virtual void on_snapshot(const Snapshot&) {}
 };
@@ -73,6 +75,7 @@ struct RunResult {
   std::string reason;
   std::int64_t particles = 0;
   std::int64_t steps = 0;
+  double helper_seconds = 0;  ///< processor time of the threads beside the one that called [s]
   double energy_error =
       0;  ///< |E - E0| / E0, largest over the samples; E: kinetic + internal (walls at rest do no work)
   std::string

@@ -1,5 +1,6 @@
 #include "libmpm/scene/dispatch.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "libmpm/measure/cavity.hpp"
@@ -44,9 +45,12 @@ std::unique_ptr<Stepper> reference_stepper(const Scene& s) {
 /// Every material, and what fast_step_has(); find_problems() refuses the rest.
 std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
   const fast::Variant variant{.gimp = s.numerics.scheme == ShapeFunction::gimp,
+                              .plastic = std::isfinite(s.material.yield_stress),
                               .back_stress = s.material.kinematic_fraction > 0,
                               .linear_tension = s.material.tension == Tension::linear};
-  return std::make_unique<fast::FastStepper>(build_material(s), variant);
+  if (s.numerics.precision == Precision::single_precision)
+    return std::make_unique<fast::FastStepper<float>>(build_material(s), variant);
+  return std::make_unique<fast::FastStepper<double>>(build_material(s), variant);
 }
 
 }  // namespace

@@ -103,6 +103,7 @@ constexpr std::string_view hardening_names[] = {"norm", "equivalent", "tangent"}
 constexpr std::string_view scheme_names[] = {"gimp", "bspline2", "cpdi", "bspline3"};
 constexpr std::string_view symmetry_names[] = {"half", "full"};
 constexpr std::string_view kernel_names[] = {"fast", "reference"};
+constexpr std::string_view precision_names[] = {"double", "float"};
 constexpr std::string_view decides_names[] = {"collapse", "ejection"};
 constexpr std::string_view stop_names[] = {"end-time", "decided"};
 constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact", "two-body-impact",
@@ -122,6 +123,8 @@ const Choice choice_table[] = {
      every, CHOICE(numerics.symmetry)},
     {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against",
      N, kernel_names, every, CHOICE(numerics.kernel)},
+    {"precision", "precision", "numbers of the fast step; the reference step has double only", N,
+     precision_names, every, CHOICE(numerics.precision)},
     {"decides", "decides", "what the outcome of a run says: is the cavity gone, or is material ejected",
      Section::measure, decides_names, cavity, CHOICE(measures.decides)},
     {"stop", "stop", "when a run ends: at end_time, or as soon as its ejection is decided", Section::measure,

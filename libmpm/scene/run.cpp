@@ -93,6 +93,7 @@ RunResult run_state(const Scene& scene, State& state, const Measurements& measur
     const double due = schedule.next();
     const double steps = std::ceil((due - state.time) / limit);
     const double dt = (due - state.time) / std::max(steps, 1.0);
+    stepper->use_threads(observer.threads());
     const StepReport report = stepper->step(state, dt);
     if (steps <= 1) state.time = due;
     signal = report.largest_signal;
@@ -105,6 +106,7 @@ RunResult run_state(const Scene& scene, State& state, const Measurements& measur
       m->after_step(state, report, dt);
     }
     result.steps = state.step;
+    result.helper_seconds = stepper->helper_seconds();
 
     if (const auto trouble = health.trouble(balance.energy_error()); trouble != Health::Trouble::none) {
       stepper->refresh_particles(state);

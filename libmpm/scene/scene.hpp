@@ -38,6 +38,12 @@ enum class Kernel {
   reference,  ///< step/step.hpp: plain, slow, the oracle
 };
 
+/// What the fast step counts in.
+enum class Precision {
+  double_precision,
+  single_precision,  ///< half the memory, about twice the speed; areas to about four digits
+};
+
 /// A block with a cavity in it.
 constexpr bool has_cavity(SceneKind k) {
   return k == SceneKind::cavity_impact || k == SceneKind::two_body_impact;
@@ -50,6 +56,7 @@ struct Numerics {
   ShapeFunction scheme = ShapeFunction::bspline2;
   Symmetry symmetry = Symmetry::half;
   Kernel kernel = Kernel::fast;
+  Precision precision = Precision::double_precision;
   double pic_fraction = 0;         ///< share of PIC in the FLIP transfer, a step [1]; see step/flip_pic.hpp
   double cfl = 0;                  ///< share of h / (signal speed) that a step takes [1]
   double linear_viscosity = 0;     ///< q1 [1]; see material/artificial_viscosity.hpp

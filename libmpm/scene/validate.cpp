@@ -74,6 +74,13 @@ void check_numerics(const Scene& s, Report& report) {
                  "hardening_modulus", "less than youngs_modulus when hardening_measure is \"tangent\"");
 }
 
+/// Words that exclude each other.
+void check_choices(const Scene& s, Report& report) {
+  const Numerics& n = s.numerics;
+  if (n.kernel == Kernel::reference && n.precision != Precision::double_precision)
+    report.add_choice("precision", "double when kernel is \"reference\"");
+}
+
 void check_block(const Scene& s, Report& report) {
   report.require(s.numerics.cell_size <= s.block_width / 8, "cell_size",
                  "at most an eighth of block_width (" + number(s.block_width / 8) + " m)");
@@ -119,6 +126,10 @@ void check_size(const Scene& s, Report& report) {
   const double particles = width / h * (height / h) * s.numerics.particles_per_cell;
   report.require(particles <= most_particles, "cell_size",
                  "large enough for at most 1e9 particles (these would be " + number(particles) + ")");
+  // The fast step keeps the number of a particle's node beside its position. Room for the block to double.
+  if (s.numerics.precision == Precision::single_precision)
+    report.require(width / h * (height / h) <= 0x1p23, "cell_size",
+                   "large enough for at most 2^23 cells when precision is \"float\"");
   const double steps = s.end_time * s.material.bulk_sound_speed / (s.numerics.cfl * h);
   report.require(steps <= most_steps, "end_time",
                  "short enough for at most 1e9 steps (these would be " + number(steps) + " or more)");
@@ -159,6 +170,7 @@ std::vector<Problem> find_problems(const Scene& s) {
   check_ranges(s, report);
   if (!report.empty()) return report.take();  // what follows compares numbers that have to be numbers
   check_numerics(s, report);
+  check_choices(s, report);
   check_size(s, report);
   if (s.kind == SceneKind::imploding_shell) {
     check_shell(s, report);

@@ -27,7 +27,6 @@ struct StepReport {
   double overpressed_mass = 0;  ///< of particles beyond the range of the equation of state [kg/m]
   double transfer_heat = 0;     ///< kinetic energy that the transfer took and left as heat in this step [J/m]
   Vec2 wall_impulse = Vec2::Zero();  ///< that all walls gave in this step [kg/s]
-  double highest = 0;                ///< largest y of a particle [m]
 };
 
 /// Everything that a step changes.

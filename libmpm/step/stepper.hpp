@@ -6,6 +6,12 @@
 
 namespace mpm {
 
+/// Where the steps of a stepper have spent their time so far [s]. The fast step does grid to particles,
+/// stress and particles to grid in one pass, so that they have one number.
+struct StepTimes {
+  double sort = 0, grid = 0, particles = 0;
+};
+
 /// Advances a State. A stepper may keep the particles and the nodes in a form of its own; then what the State
 /// holds is as old as the last refresh.
 class Stepper {
@@ -20,6 +26,13 @@ class Stepper {
   /// Brings mass and velocity of the nodes of rows [first, last] up to date: the motion of the last step.
   /// Rows that the grid does not have are left out.
   virtual void refresh_nodes(State&, int /*first_row*/, int /*last_row*/) {}
+  /// How many threads the next steps may use, with the one that calls; the results are the same bits. A
+  /// stepper may use fewer.
+  virtual void use_threads(int) {}
+  /// Processor time of the threads beside the caller's, so far [s].
+  virtual double helper_seconds() const { return 0; }
+  /// Zero for a stepper that does not look at the clock.
+  virtual StepTimes times() const { return {}; }
   /// Memory that the stepper keeps beside the State [bytes].
   virtual std::size_t memory() const { return 0; }
 };

@@ -1,7 +1,9 @@
 #include "runner/bench/kernel_bench.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -30,6 +32,10 @@ mpm::Scene strong_cavity(std::int64_t particles) {
   return s;
 }
 
+/// Floating-point operations of a particle update (a fused multiply-add is two), of aluminium with isotropic
+/// hardening: counted in the instructions that a run of 15000 particles executes. See PERFORMANCE.md.
+double operations(mpm::ShapeFunction scheme) { return scheme == mpm::ShapeFunction::gimp ? 712 : 658; }
+
 /// A run that can be taken further, piece by piece.
 class Walk {
  public:
@@ -43,18 +49,26 @@ class Walk {
   }
   std::size_t particles() const { return particles_; }
 
-  /// Million particle updates a second over at least this many seconds of processor time.
-  double rate(double seconds) {
-    const double start = thread_cpu_seconds();
+  /// Million particle updates a second over at least this many seconds: of processor time, or with more than
+  /// one thread of time that passes.
+  double rate(double seconds, int threads = 1) {
+    const auto now = [=] {
+      return threads == 1
+                 ? thread_cpu_seconds()
+                 : std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    };
+    stepper_->use_threads(threads);
+    const double start = now();
     std::int64_t steps = 0;
     do {
       for (int k = 0; k < 4; ++k, ++steps)
         signal_ = stepper_->step(state_, scene_.numerics.cfl * state_.grid.cell().minCoeff() / signal_)
                       .largest_signal;
-    } while (thread_cpu_seconds() - start < seconds);
-    return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) /
-           (thread_cpu_seconds() - start);
+    } while (now() - start < seconds);
+    return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) / (now() - start);
   }
+
+  mpm::StepTimes times() const { return stepper_->times(); }
 
   double bytes_per_particle() const {
     const mpm::Particles& p = state_.particles;
@@ -82,32 +96,72 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<KernelBenchRow> bench_kernel(const KernelBenchOptions& options) {
-  std::vector<KernelBenchRow> rows;
+KernelBench bench_kernel(const KernelBenchOptions& options) {
+  KernelBench bench;
+  bench.roofline = measure_roofline(options.repetitions, options.seconds);
   const mpm::Choice& schemes = *mpm::find_choice("scheme");
+  const mpm::Choice& precisions = *mpm::find_choice("precision");
   for (std::size_t scheme = 0; scheme < schemes.allowed.size(); ++scheme)
     for (const std::int64_t wanted : options.particles) {
       mpm::Scene scene = strong_cavity(wanted);
       schemes.set(scene, scheme);
       if (!mpm::fast_step_has(scene.numerics)) continue;
-      scene.numerics.kernel = mpm::Kernel::fast;
-      Walk fast(scene);
+      if (options.elastic) scene.material.yield_stress = std::numeric_limits<double>::infinity();
+      scene.material.kinematic_fraction = options.kinematic ? 0.5 : 0;
+      std::vector<Walk> fast;
+      for (std::size_t precision = 0; precision < precisions.allowed.size(); ++precision) {
+        precisions.set(scene, precision);
+        fast.emplace_back(scene);
+      }
+      scene.numerics.precision = mpm::Precision::double_precision;
       scene.numerics.kernel = mpm::Kernel::reference;
       Walk reference(scene);
-      std::vector<double> fast_rates, reference_rates, ratios;
-      for (int k = 0; k < options.repetitions; ++k) {
-        fast_rates.push_back(fast.rate(options.seconds));
-        reference_rates.push_back(reference.rate(options.seconds));
-        ratios.push_back(fast_rates.back() / reference_rates.back());
-      }
-      const auto row = [&](const char* kernel, const Walk& walk, double rate, double ratio) {
-        rows.push_back({std::string(schemes.allowed[scheme]), kernel, "double", 1,
-                        static_cast<std::int64_t>(walk.particles()), rate, ratio, walk.bytes_per_particle()});
+      // a pair of lists of rates for each precision and number of threads
+      struct Rates {
+        std::size_t precision;
+        int threads;
+        std::vector<double> fast, to_reference;
       };
-      row("fast", fast, median(fast_rates), median(ratios));
-      row("reference", reference, median(reference_rates), 1);
+      std::vector<Rates> measured;
+      for (std::size_t p = 0; p < fast.size(); ++p)
+        for (const int threads : options.threads) measured.push_back({p, threads, {}, {}});
+      std::vector<double> reference_rates;
+      for (int k = 0; k < options.repetitions; ++k) {
+        reference_rates.push_back(reference.rate(options.seconds));
+        for (Rates& r : measured) {
+          r.fast.push_back(fast[r.precision].rate(options.seconds, r.threads));
+          r.to_reference.push_back(r.fast.back() / reference_rates.back());
+        }
+      }
+      const auto row = [&](const char* kernel, std::size_t precision, const Walk& walk, double rate) {
+        KernelBenchRow r;
+        r.scheme = schemes.allowed[scheme];
+        r.kernel = kernel;
+        r.precision = precisions.allowed[precision];
+        r.particles = static_cast<std::int64_t>(walk.particles());
+        r.million_particle_updates_per_s = rate;
+        r.ratio_to_reference = 1;
+        r.bytes_per_particle = walk.bytes_per_particle();
+        return r;
+      };
+      for (const Rates& m : measured) {
+        KernelBenchRow r = row("fast", m.precision, fast[m.precision], median(m.fast));
+        r.threads = m.threads;
+        r.ratio_to_reference = median(m.to_reference);
+        // everything that a step keeps is read and written once
+        const KernelWork work{operations(scene.numerics.scheme), 2 * r.bytes_per_particle};
+        const bool single = precisions.allowed[m.precision] == "float";
+        if (m.threads == 1)
+          r.roofline_share =
+              1e6 * r.million_particle_updates_per_s / roofline_rate(bench.roofline, work, single);
+        const mpm::StepTimes t = fast[m.precision].times();
+        const double all = t.sort + t.grid + t.particles;
+        r.sort_share = t.sort / all, r.grid_share = t.grid / all;
+        bench.rows.push_back(std::move(r));
+      }
+      bench.rows.push_back(row("reference", 0, reference, median(reference_rates)));
     }
-  return rows;
+  return bench;
 }
 
 }  // namespace mpmstudy

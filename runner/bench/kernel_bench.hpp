@@ -6,28 +6,40 @@
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
+#include "runner/bench/roofline.hpp"
 
 namespace mpmstudy {
 
 struct KernelBenchRow {
   std::string scheme;     ///< shape functions
   std::string kernel;     ///< fast, reference
-  std::string precision;  ///< double
+  std::string precision;  ///< double, float
   int threads = 1;
   std::int64_t particles = 0;
-  double million_particle_updates_per_s = 0;  ///< on one core, median of the repetitions
+  double million_particle_updates_per_s = 0;  ///< median of the repetitions; of processor time, or, with more
+                                              ///< than one thread, of time that passed
   double ratio_to_reference = 0;              ///< of the same run
   double bytes_per_particle = 0;              ///< particles, nodes and what the step keeps beside them
+  double roofline_share = 0;  ///< of what the roofline allows; 0 for the reference and for more threads
+  double sort_share = 0, grid_share = 0;  ///< of the time of a step; the rest is the pass over the particles
 };
 
 struct KernelBenchOptions {
   std::vector<std::int64_t> particles = {10000, 150000};  ///< wanted; the lattice gives about that many
+  std::vector<int> threads = {1};                         ///< of the fast step, in one run
   int repetitions = 5;                                    ///< of which the median counts
   double seconds = 0.3;                                   ///< of one repetition
+  bool elastic = false;                                   ///< without plasticity
+  bool kinematic = false;                                 ///< half of the hardening is kinematic
+};
+
+struct KernelBench {
+  Roofline roofline;
+  std::vector<KernelBenchRow> rows;
 };
 
 /// Rows of both kernels for every scheme and size. Kernels take turns, so that a machine that changes its
 /// speed changes the ratio little.
-std::vector<KernelBenchRow> bench_kernel(const KernelBenchOptions&);
+KernelBench bench_kernel(const KernelBenchOptions&);
 
 }  // namespace mpmstudy

@@ -18,22 +18,34 @@ void setup_bench(CLI::App& app) {
   CLI::App& kernel = *verb.add_subcommand("kernel", "Particle updates a second, fast step against reference");
   kernel.add_option("--particles", options->kernel.particles, "Sizes to measure [10000 150000]")
       ->check(CLI::Range(1000, 100'000'000));
+  kernel.add_option("--threads", options->kernel.threads, "Threads in one run, by time that passes [1]")
+      ->check(CLI::Range(1, 1024));
   kernel.add_option("--repetitions", options->kernel.repetitions, "The median of these counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   kernel.add_option("--seconds", options->kernel.seconds, "Processor time of one repetition [s]")
       ->check(CLI::Range(0.001, 600.0))
       ->capture_default_str();
+  kernel.add_flag("--elastic", options->kernel.elastic, "A body that does not yield");
+  kernel.add_flag("--kinematic", options->kernel.kinematic,
+                  "Half of the hardening is kinematic: back stress");
   kernel.add_flag("--json", options->json, "One object a row");
   kernel.callback([options] { finish(run_bench_kernel(*options)); });
 }
 
 int run_bench_kernel(const BenchOptions& options) {
-  const auto rows = bench_kernel(options.kernel);
-  if (!options.json)
-    fmt::print("{:<10}{:<11}{:<11}{:>8}{:>11}{:>14}{:>14}{:>17}\n", "scheme", "kernel", "precision",
-               "threads", "particles", "M updates/s", "x reference", "bytes/particle");
-  for (const KernelBenchRow& r : rows)
+  const KernelBench bench = bench_kernel(options.kernel);
+  const Roofline& roofline = bench.roofline;
+  if (!options.json) {
+    fmt::print("roofline: {:.1f} Gflop/s double, {:.1f} float; {:.1f} GB/s\n", roofline.gigaflops_double,
+               roofline.gigaflops_float, roofline.gigabytes_per_second);
+    fmt::print("{:<10}{:<11}{:<10}{:>8}{:>10}{:>13}{:>13}{:>16}{:>10}{:>7}{:>7}{:>11}\n", "scheme", "kernel",
+               "precision", "threads", "particles", "M updates/s", "x reference", "bytes/particle",
+               "roofline", "sort", "grid", "particles");
+  }
+  for (const KernelBenchRow& r : bench.rows) {
+    const bool fast = r.kernel == "fast";
+    const double particles_share = fast ? 1 - r.sort_share - r.grid_share : 0;
     if (options.json)
       fmt::print("{}\n", nlohmann::json{{"scheme", r.scheme},
                                         {"kernel", r.kernel},
@@ -42,12 +54,22 @@ int run_bench_kernel(const BenchOptions& options) {
                                         {"particles", r.particles},
                                         {"million_particle_updates_per_s", r.million_particle_updates_per_s},
                                         {"ratio_to_reference", r.ratio_to_reference},
-                                        {"bytes_per_particle", r.bytes_per_particle}}
+                                        {"bytes_per_particle", r.bytes_per_particle},
+                                        {"roofline_share", r.roofline_share},
+                                        {"sort_share", r.sort_share},
+                                        {"grid_share", r.grid_share},
+                                        {"particles_share", particles_share},
+                                        {"gigaflops_double", roofline.gigaflops_double},
+                                        {"gigaflops_float", roofline.gigaflops_float},
+                                        {"gigabytes_per_second", roofline.gigabytes_per_second}}
                              .dump());
     else
-      fmt::print("{:<10}{:<11}{:<11}{:>8}{:>11}{:>14.2f}{:>14.2f}{:>17.0f}\n", r.scheme, r.kernel,
-                 r.precision, r.threads, r.particles, r.million_particle_updates_per_s, r.ratio_to_reference,
-                 r.bytes_per_particle);
+      fmt::print(
+          "{:<10}{:<11}{:<10}{:>8}{:>10}{:>13.2f}{:>13.2f}{:>16.0f}{:>9.0f}%{:>6.0f}%{:>6.0f}%{:>10.0f}%\n",
+          r.scheme, r.kernel, r.precision, r.threads, r.particles, r.million_particle_updates_per_s,
+          r.ratio_to_reference, r.bytes_per_particle, 100 * r.roofline_share, 100 * r.sort_share,
+          100 * r.grid_share, 100 * particles_share);
+  }
   return exit_ok;
 }
 

@@ -31,6 +31,7 @@ class JobObserver : public mpm::Observer {
     late_ = limit > 0 && std::chrono::duration<double>(now - start_).count() > limit;
     return !late_ && !context_.stopping();
   }
+  int threads() override { return context_.threads(); }
   void on_snapshot(const mpm::Snapshot& snapshot) override { files_.add(snapshot); }
 
   bool late() const { return late_; }
@@ -101,7 +102,7 @@ Attempt attempt_job(const Job& job, const AttemptContext& context) {
     return attempt;
   }
   finished.wall_s = seconds_since(wall);
-  finished.cpu_s = thread_cpu_seconds() - cpu;
+  finished.cpu_s = thread_cpu_seconds() - cpu + finished.result.helper_seconds;
   finished.status = finished.failure ? JobStatus::failed : JobStatus::done;
   finished.reason = finished.result.reason;
   if (finished.failure && finished.reason.empty()) finished.reason = "failed without a reason";

@@ -27,6 +27,7 @@ struct AttemptContext {
   Limits limits;
   std::function<bool()> stopping;                      ///< asked after every step
   std::function<void(const mpm::Progress&)> progress;  ///< at most twenty times a second
+  std::function<int()> threads = [] { return 1; };  ///< that the next step may use; asked before every step
 };
 
 /// How an attempt ended.

@@ -24,6 +24,10 @@ std::chrono::milliseconds milliseconds(double seconds) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(1000 * seconds));
 }
 
+unsigned threads_of(const ExecutorOptions& options) {
+  return options.workers ? options.workers : std::max(1U, std::thread::hardware_concurrency());
+}
+
 class Executor {
  public:
   Executor(std::vector<Job> jobs, const Simulate& simulate, const WriteSnapshot& write, Ledger& ledger,
@@ -106,11 +110,19 @@ class Executor {
                                            : report_.untouched);
   }
 
+  /// Threads without a job help those that are left. Under mutex_.
+  void share_threads() {
+    const auto running = static_cast<unsigned>(running_.size());
+    const bool all_taken = queue_.left() <= queue_.waiting();
+    share_ = all_taken && running > 0 ? std::max(1, static_cast<int>(threads_of(options_) / running)) : 1;
+  }
+
   /// Attempts until the job is decided or let go.
   void run_job(const Job& job, bool isolated) {
     {
       std::lock_guard lock(mutex_);
       running_.insert(job.key);
+      share_threads();
     }
     status_.job_started(job);
     for (std::int64_t retry = 0;;) {
@@ -143,7 +155,8 @@ class Executor {
                                  options_.results,
                                  options_.limits,
                                  [this] { return stopping(); },
-                                 [&](const mpm::Progress& p) { status_.job_progress(job, p); }};
+                                 [&](const mpm::Progress& p) { status_.job_progress(job, p); },
+                                 [this] { return share_.load(std::memory_order_relaxed); }};
     if (!isolated) return attempt_job(job, context);
     return server_.attempt(job, context);
   }
@@ -161,6 +174,7 @@ class Executor {
     }
     std::lock_guard lock(mutex_);
     running_.erase(job.key);
+    share_threads();
     queue_.put_off(&job, milliseconds(options_.look_again_s));
     return false;
   }
@@ -174,6 +188,7 @@ class Executor {
     status_.job_finished(job, end);
     std::lock_guard lock(mutex_);
     running_.erase(job.key);
+    share_threads();
     ++report_.stopped;
   }
 
@@ -192,6 +207,7 @@ class Executor {
     status_.job_finished(job, end);
     std::lock_guard lock(mutex_);
     running_.erase(job.key);
+    share_threads();
     ++(failed ? report_.failed : report_.done);
     report_.updates += end.updates();
     report_.cpu_s += end.cpu_s;
@@ -209,6 +225,7 @@ class Executor {
   const Clock::time_point start_ = Clock::now();
 
   std::atomic<bool> stop_{false};
+  std::atomic<int> share_{1};  ///< threads of each job that runs
   std::mutex mutex_;
   std::condition_variable ended_;
   unsigned active_ = 0;            // guarded by mutex_; workers
@@ -220,8 +237,8 @@ class Executor {
 }  // namespace
 
 unsigned worker_count(const ExecutorOptions& options, std::size_t jobs) {
-  const std::size_t wanted = options.workers ? options.workers : std::thread::hardware_concurrency();
-  return static_cast<unsigned>(std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(jobs, 1)));
+  return static_cast<unsigned>(
+      std::clamp<std::size_t>(threads_of(options), 1, std::max<std::size_t>(jobs, 1)));
 }
 
 ExecutorReport execute_jobs(std::vector<Job> jobs, const Simulate& simulate, const WriteSnapshot& write,

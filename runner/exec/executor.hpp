@@ -1,6 +1,7 @@
 #pragma once
-/// Runs jobs on worker threads: longest predicted job first, one simulation a thread. What it runs, where
-/// results go, who watches and when to stop are all given to it. The results do not depend on the workers.
+/// Runs jobs on worker threads: longest predicted job first, one simulation a thread; at the end, threads
+/// without a job help the simulations that still run. What it runs, where results go, who watches and when to
+/// stop are all given to it. The results do not depend on the workers.
 ///
 /// Several executors, in several processes, may work on one ledger: each takes what nobody runs, and at the
 /// end waits for what the others still run, so that a job whose process dies is taken up.

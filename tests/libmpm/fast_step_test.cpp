@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/shape/bspline2.hpp"
@@ -15,6 +16,7 @@
 namespace {
 
 using mpm::fast::FastStepper;
+using FastDouble = FastStepper<double>;
 using mpm::fast::InstructionSet;
 using mpm::fast::Variant;
 
@@ -53,8 +55,9 @@ void expect_same(const mpm::Particles& a, const mpm::Particles& b, double tolera
 }
 
 Variant variant_of(const mpm::Scene& s) {
-  return {s.numerics.scheme == mpm::ShapeFunction::gimp, s.material.kinematic_fraction > 0,
-          s.material.tension == mpm::Tension::linear};
+  const bool plastic = std::isfinite(s.material.yield_stress);
+  return {s.numerics.scheme == mpm::ShapeFunction::gimp, plastic,
+          plastic && s.material.kinematic_fraction > 0, s.material.tension == mpm::Tension::linear};
 }
 
 mpm::StepReport reference(mpm::State& s, const mpm::Scene& scene, double dt) {
@@ -67,11 +70,14 @@ mpm::StepReport reference(mpm::State& s, const mpm::Scene& scene, double dt) {
 std::vector<mpm::Scene> variants() {
   std::vector<mpm::Scene> all;
   for (const auto scheme : {mpm::ShapeFunction::gimp, mpm::ShapeFunction::bspline2})
-    for (const double kinematic : {0.0, 0.3})
+    for (const double kinematic : {-1.0, 0.0, 0.3})  // -1: elastic
       for (const auto tension : {mpm::Tension::polynomial, mpm::Tension::linear, mpm::Tension::cutoff}) {
         mpm::Scene s = scenes::cavity(0.2e-6);
         s.numerics.scheme = scheme;
-        s.material.kinematic_fraction = kinematic;
+        if (kinematic < 0)
+          s.material.yield_stress = std::numeric_limits<double>::infinity();
+        else
+          s.material.kinematic_fraction = kinematic;
         s.material.tension = tension;
         s.material.spall_strength = 1e9;
         s.material.pressure_limit = 1e9;  // some random pressures are beyond
@@ -80,57 +86,61 @@ std::vector<mpm::Scene> variants() {
   return all;
 }
 
-TEST(FastStep, AgreesWithTheReferenceOnRandomStates) {
+template <class Real>
+void expect_reference_on_random_states(double tolerance) {
   for (const mpm::Scene& scene : variants())
-    for (const double lift : {0.0, 0.13e-6, 1e-6}) {
+    // None puts the edge of a domain exactly on a node: there rounding decides whether the node is reached.
+    for (const double lift : {0.0, 0.13e-6, 1.03e-6}) {
       SCOPED_TRACE(testing::Message()
                    << "gimp " << variant_of(scene).gimp << ", kinematic " << scene.material.kinematic_fraction
                    << ", tension " << static_cast<int>(scene.material.tension) << ", lift " << lift);
       mpm::State a = random_state(scene, lift), b = random_state(scene, lift);
-      FastStepper fast(mpm::build_material(scene), variant_of(scene));
+      FastStepper<Real> fast(mpm::build_material(scene), variant_of(scene));
       for (int k = 0; k < 3; ++k) {
         const double dt = (5 + k) * 1e-12;
         const mpm::StepReport x = fast.step(a, dt), y = reference(b, scene, dt);
-        EXPECT_NEAR(x.largest_signal / y.largest_signal, 1, 1e-12);
-        EXPECT_NEAR(x.overpressed_mass / y.overpressed_mass, 1, 1e-12);
-        EXPECT_NEAR(x.smallest_dilation, y.smallest_dilation, 1e-12);
-        EXPECT_NEAR(x.largest_dilation, y.largest_dilation, 1e-12);
-        EXPECT_NEAR(x.transfer_heat / y.transfer_heat, 1, 1e-12);
-        EXPECT_LT((x.wall_impulse - y.wall_impulse).norm(), 1e-12 * mpm::momentum_of(b.particles).norm());
+        EXPECT_NEAR(x.largest_signal / y.largest_signal, 1, tolerance);
+        EXPECT_NEAR(x.overpressed_mass / y.overpressed_mass, 1, tolerance);
+        EXPECT_NEAR(x.smallest_dilation, y.smallest_dilation, tolerance);
+        EXPECT_NEAR(x.largest_dilation, y.largest_dilation, tolerance);
+        EXPECT_NEAR(x.transfer_heat / y.transfer_heat, 1, tolerance);
+        EXPECT_LT((x.wall_impulse - y.wall_impulse).norm(), tolerance * mpm::momentum_of(b.particles).norm());
         fast.refresh_particles(a);
-        expect_same(a.particles, b.particles, 1e-12);
+        expect_same(a.particles, b.particles, tolerance);
       }
     }
 }
+
+TEST(FastStep, AgreesWithTheReferenceOnRandomStates) { expect_reference_on_random_states<double>(1e-12); }
+TEST(FastStep, FloatAgreesWithTheReferenceOnRandomStates) { expect_reference_on_random_states<float>(1e-4); }
 
 TEST(FastStep, KeepsEnergyToRounding) {
   for (const mpm::Scene& scene : variants()) {
     mpm::State s = random_state(scene, 0);
     const mpm::Energy before = mpm::energy_of(s.particles);
-    FastStepper fast(mpm::build_material(scene), variant_of(scene));
+    FastDouble fast(mpm::build_material(scene), variant_of(scene));
     for (int k = 0; k < 4; ++k) fast.step(s, 2e-12);
     fast.refresh_particles(s);
     EXPECT_NEAR((mpm::energy_of(s.particles).total() - before.total()) / before.kinetic, 0, 1e-13);
   }
 }
 
-TEST(FastStep, BitsDoNotDependOnTheInstructionSet) {
+/// The AVX2 kernels round a*b + c once, the others twice; nothing else may differ. Enough steps for a sort.
+TEST(FastStep, InstructionSetsDifferByRoundingOnly) {
   if (!mpm::fast::supported(InstructionSet::avx2)) GTEST_SKIP() << "this processor has no AVX2";
   for (const mpm::Scene& scene : variants()) {
     mpm::State a = random_state(scene, 0), b = random_state(scene, 0);
     const mpm::MaterialModel m = mpm::build_material(scene);
     const Variant v = variant_of(scene);
-    FastStepper narrow(m, v, mpm::fast::kernels_for(v, InstructionSet::baseline));
-    FastStepper wide(m, v, mpm::fast::kernels_for(v, InstructionSet::avx2));
-    for (int k = 0; k < 60; ++k) {  // enough for a sort
+    FastDouble narrow(m, v, InstructionSet::baseline), wide(m, v, InstructionSet::avx2);
+    for (int k = 0; k < 60; ++k) {
       const mpm::StepReport x = narrow.step(a, 1e-12), y = wide.step(b, 1e-12);
-      ASSERT_EQ(x.largest_signal, y.largest_signal);
-      ASSERT_EQ(x.transfer_heat, y.transfer_heat);
-      ASSERT_EQ(x.wall_impulse, y.wall_impulse);
+      ASSERT_NEAR(x.largest_signal / y.largest_signal, 1, 1e-11);
+      ASSERT_NEAR(x.transfer_heat / y.transfer_heat, 1, 1e-11);
     }
     narrow.refresh_particles(a);
     wide.refresh_particles(b);
-    expect_same(a.particles, b.particles, 1e-300);
+    expect_same(a.particles, b.particles, 1e-11);
   }
 }
 
@@ -138,8 +148,8 @@ TEST(FastStep, BitsDoNotDependOnTheInstructionSet) {
 TEST(FastStep, HandsOutWhatTheReferenceHolds) {
   const mpm::Scene scene = scenes::cavity(0.2e-6);
   mpm::State a = mpm::build_state(scene), b = mpm::build_state(scene);
-  FastStepper fast(mpm::build_material(scene), variant_of(scene));
-  for (int k = 0; k < 120; ++k) fast.step(a, 5e-12), reference(b, scene, 5e-12);
+  FastDouble fast(mpm::build_material(scene), variant_of(scene));
+  for (int k = 0; k < 150; ++k) fast.step(a, 4e-12), reference(b, scene, 4e-12);
   const std::size_t which[] = {0, 7, a.particles.size() - 1};
   fast.refresh_particles(a, which);
   for (const std::size_t p : which)
@@ -157,7 +167,7 @@ TEST(FastStep, SaysThatAParticleLeftTheGrid) {
   for (const double speed : {-1e6, 1e6, std::nan("")}) {
     mpm::State s = mpm::build_state(scene);
     for (auto& v : s.particles.velocity) v.x() = speed;
-    FastStepper fast(mpm::build_material(scene), variant_of(scene));
+    FastDouble fast(mpm::build_material(scene), variant_of(scene));
     double signal = 0;
     for (int k = 0; k < 4; ++k) signal = fast.step(s, 1e-11).largest_signal;
     EXPECT_FALSE(std::isfinite(signal)) << speed;
@@ -210,6 +220,53 @@ TEST(FastRun, StrongCollapse) {
   expect_same_run(s, 1e-9);
 }
 
+/// Single precision: areas and collapsibility to four digits.
+TEST(FastRun, FloatHasFourDigits) {
+  mpm::Scene s = scenes::cavity(0.1e-6);
+  s.end_time = 5e-9;
+  const mpm::RunResult exact = mpm::run(s);
+  s.numerics.precision = mpm::Precision::single_precision;
+  const mpm::RunResult single = mpm::run(s), again = mpm::run(s);
+  ASSERT_EQ(single.status, mpm::RunStatus::done) << single.reason;
+  EXPECT_NEAR(*single.collapsibility, *exact.collapsibility, 5e-5);
+  EXPECT_LT(single.energy_error, 1e-4);
+  EXPECT_EQ(*single.final_area, *again.final_area);
+}
+
 TEST(FastRun, PlanarImpact) { expect_same_run(scenes::planar(200, 10e-6, 0.1e-6, 2e-9), 1e-9); }
+
+/// As many threads as the run can use, and not always the same.
+class Threads : public mpm::Observer {
+ public:
+  int threads() override { return 1 + step_++ % 4; }
+
+ private:
+  int step_ = 0;
+};
+
+void expect_same_bits(const mpm::RunResult& a, const mpm::RunResult& b) {
+  ASSERT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.energy_error, b.energy_error);
+  ASSERT_EQ(a.area_history.size(), b.area_history.size());
+  for (std::size_t k = 0; k < a.area_history.size(); ++k)
+    EXPECT_EQ(a.area_history[k].area, b.area_history[k].area) << k;
+  for (std::size_t k = 0; k < a.metrics.size(); ++k)
+    EXPECT_EQ(a.metrics[k].value, b.metrics[k].value) << a.metrics[k].name;
+}
+
+TEST(FastRun, BitsDoNotDependOnThreads) {
+  for (const auto precision : {mpm::Precision::double_precision, mpm::Precision::single_precision}) {
+    mpm::Scene s = scenes::cavity(0.04e-6);
+    s.impact_speed = 1120;
+    s.end_time = 0.1e-9;
+    s.measures.area_every = 0.02e-9;
+    s.numerics.precision = precision;
+    Threads threads;
+    const mpm::RunResult many = mpm::run(s, threads), one = mpm::run(s);
+    EXPECT_GT(many.helper_seconds, 0);
+    EXPECT_EQ(one.helper_seconds, 0);
+    expect_same_bits(many, one);
+  }
+}
 
 }  // namespace

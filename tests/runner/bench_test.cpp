@@ -7,20 +7,30 @@
 #include <string>
 
 TEST(BenchKernel, PrintsOneObjectARow) {
-  FILE* pipe = popen(MPMSTUDY " bench kernel --json --particles 2000 --repetitions 1 --seconds 0.01", "r");
+  FILE* pipe = popen(
+      MPMSTUDY " bench kernel --json --particles 2000 --threads 1 2 --repetitions 1 --seconds 0.01", "r");
   std::array<char, 4096> line{};
-  int rows = 0;
+  int rows = 0, single = 0, threads = 0;
   while (fgets(line.data(), line.size(), pipe)) {
     const auto row = nlohmann::json::parse(line.data());
     ++rows;
     EXPECT_GT(row.at("million_particle_updates_per_s").get<double>(), 0);
     EXPECT_GT(row.at("ratio_to_reference").get<double>(), 0);
-    EXPECT_GT(row.at("bytes_per_particle").get<double>(), 100);
+    EXPECT_GT(row.at("bytes_per_particle").get<double>(), 50);
     EXPECT_NEAR(row.at("particles").get<double>(), 2000, 300);
-    EXPECT_EQ(row.at("precision"), "double");
-    EXPECT_EQ(row.at("threads"), 1);
+    for (const char* measured : {"gigaflops_double", "gigaflops_float", "gigabytes_per_second"})
+      EXPECT_GT(row.at(measured).get<double>(), 0) << measured;
+    if (row.at("kernel") == "fast") {
+      EXPECT_EQ(row.at("roofline_share").get<double>() > 0, row.at("threads") == 1);
+      EXPECT_LT(row.at("roofline_share").get<double>(), 1);
+      EXPECT_GT(row.at("particles_share").get<double>(), 0);
+      single += row.at("precision") == "float";
+    }
+    threads += row.at("threads").get<int>();
     EXPECT_TRUE(row.contains("scheme"));
   }
   EXPECT_EQ(pclose(pipe), 0);
-  EXPECT_EQ(rows, 4);  // two schemes, fast and reference
+  EXPECT_EQ(rows, 10);  // two schemes, fast in two precisions with one and two threads, and reference
+  EXPECT_EQ(single, 4);
+  EXPECT_EQ(threads, 4 * 1 + 4 * 2 + 2);
 }

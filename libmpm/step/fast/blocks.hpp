@@ -10,46 +10,63 @@
 
 namespace mpm::fast {
 
-/// The particles in blocks of `width`: all columns of a block side by side, so that a pass over the particles
-/// is one stream through memory. They are kept in the order of the cells; `id` knows their original place.
-/// The last block is filled up with copies of the last particle that have no mass: they follow it and change
-/// nothing.
+/// The particles in blocks of `width` lanes: all columns of a block side by side, so that a pass over the
+/// particles is one stream through memory.
+///
+/// After a sort most blocks are in step with the grid (transfer.hpp): the cells of a row, counted by the
+/// nearest node, are taken in groups of `width` neighbours, and the k-th block of a group holds the k-th
+/// particle of each of its cells, lane by lane. Lanes of cells that have no k-th particle are empty. Where
+/// too few lanes would be filled, the particles go to blocks at the end of their row that are filled in the
+/// order of the cells and are not in step.
 template <class Real>
 class Blocks {
  public:
   static constexpr int width = 32 / sizeof(Real);
 
-  Blocks(const Particles&, const Grid&, const Variant&, double rho0);
+  /// Not sorted yet. `stride`: of the nodes.
+  Blocks(const Particles&, const Grid&, const Variant&, double rho0, int stride);
 
-  Real* data() { return values_.data(); }
-  const Real* data() const { return values_.data(); }
+  /// Puts the particles in order, for a grid of `rows` rows of nodes. Deterministic.
+  void sort(int rows);
+
+  /// Blocks whose particles lie in rows that no other band has. Neighbouring bands are at least `band_rows`
+  /// rows high, and the order of their work is all that a result depends on.
+  struct Range {
+    std::size_t first, count;
+    int first_row, last_row;
+  };
+  static constexpr int band_rows = 8;
+  std::span<const Range> bands() const { return bands_; }
+
+  Real* block(std::size_t b) { return values_.data() + b * block_size(); }
   std::size_t count() const { return ids_.size() / width; }
-
-  /// Sorts by the node nearest to a particle, row by row; a stable counting sort.
-  void sort(int stride);
+  std::size_t loose() const { return loose_; }  ///< blocks that are not in step by intention
 
   void copy_to(Particles&, const Grid&) const;
   void copy_to(Particles&, const Grid&, std::span<const std::size_t> which);
-  std::size_t memory() const;  ///< [bytes]
+  std::size_t memory() const;  ///< with what the last sort needed [bytes]
 
  private:
-  Real& at(std::size_t slot, int column) {
-    return values_[(slot / width * columns_ + column) * width + slot % width];
-  }
+  static constexpr std::uint32_t nobody = UINT32_MAX;
+
+  std::size_t block_size() const { return static_cast<std::size_t>(columns_) * width; }
+  Real& at(std::size_t slot, int column) { return block(slot / width)[column * width + slot % width]; }
   Real at(std::size_t slot, int column) const {
-    return values_[(slot / width * columns_ + column) * width + slot % width];
+    return values_[slot / width * block_size() + static_cast<std::size_t>(column) * width + slot % width];
   }
+  std::size_t node_of(std::size_t slot) const { return static_cast<std::size_t>(at(slot, node)); }
   void write(std::size_t slot, const Grid&, Particles&, std::size_t p) const;
+  std::vector<std::uint32_t> order(int rows);
   void permute(std::span<const std::uint32_t> order);
+  void fill_empty_lanes(std::size_t block);
 
   Variant variant_;
-  int columns_;
-  std::size_t particles_;
+  int columns_, stride_;
   AlignedArray<Real> values_;
-  std::vector<std::uint32_t> ids_;    ///< original place of each slot; >= particles_: no particle
+  std::vector<std::uint32_t> ids_;    ///< original place of the particle in each slot, or nobody
   std::vector<std::uint32_t> slots_;  ///< the inverse; empty until somebody asks for single particles
-  std::vector<std::uint32_t> order_;
-  AlignedArray<Real> moved_;  ///< four columns on their way to their new slots
+  std::vector<Range> bands_;
+  std::size_t loose_ = 0, sort_memory_ = 0;
 };
 
 }  // namespace mpm::fast

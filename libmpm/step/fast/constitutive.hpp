@@ -10,8 +10,8 @@ namespace mpm::fast::MPM_ISA {
 /// Largest and smallest values of a sweep, and the volume beyond the equation of state [cells], lane by lane.
 template <class Real>
 struct Extremes {
-  Pack<Real> signal{}, low_dilation{}, high_dilation{}, overpressed{}, low, high;
-  typename Lanes<Real>::Mask broken{};
+  Pack<Real> signal{}, low_dilation{}, high_dilation{}, overpressed{}, low_node, high_node;
+  Mask<Real> broken{};
 };
 
 /// dt L of a pack: the gradient of the displacement over the step.
@@ -29,7 +29,7 @@ struct Strain {
   Pack<Real> divisor;  ///< 1 / (1 + thermal theta / (2 rho)): what makes the pressure implicit
 };
 
-template <class Real, bool linear_tension>
+template <class Real, Variant variant>
 MPM_INLINE Strain<Real> strain_of(Pack<Real>* f, const Gradient<Real>& l, const Constants<Real>& k) {
   using P = Pack<Real>;
   const P growth = (l.xx + l.yy) + (l.xx * l.yy - l.xy * l.yx);
@@ -48,7 +48,7 @@ MPM_INLINE Strain<Real> strain_of(Pack<Real>* f, const Gradient<Real>& l, const 
   // the pressure is divided by implicit / det
   const Real thermal = Real(0.5) * k.gamma0;  // gamma0 rho0 / (2 rho) at rho0
   P implicit = (xx_det + yy_det) * (thermal * ratio);
-  if constexpr (linear_tension) implicit = dilation > 0 ? P{} : implicit;
+  if constexpr (variant.linear_tension) implicit = dilation > 0 ? P{} : implicit;
   implicit += det;
 
   // One division for four: divisions are slow, and these numbers are all near 1.
@@ -66,10 +66,10 @@ MPM_INLINE Strain<Real> strain_of(Pack<Real>* f, const Gradient<Real>& l, const 
 }
 
 /// J2 plasticity: see material/strength/j2.hpp.
-template <class Real, bool back_stress_used>
-MPM_INLINE void update_deviator(Pack<Real>* f, Pack<Real>* back_stress, const Strain<Real>& e,
-                                const Constants<Real>& k) {
+template <class Real, Variant variant>
+MPM_INLINE void update_deviator(Pack<Real>* f, const Strain<Real>& e, const Constants<Real>& k) {
   using P = Pack<Real>;
+  Pack<Real>* const back_stress = f + variant.back_stress_xx();
   const P cc = e.cosine * e.cosine, ss = e.sine * e.sine, cs = e.cosine * e.sine, cs2 = cs + cs,
           double_cosine = cc - ss;
   const auto rotate = [&](P& xx, P& yy, P& xy_) {
@@ -87,19 +87,23 @@ MPM_INLINE void update_deviator(Pack<Real>* f, Pack<Real>* back_stress, const St
   P rxx = sxx + twice * (e.rate_xx - mean), ryy = syy + twice * (e.rate_yy - mean),
     rxy = sxy + twice * e.rate_xy;
   P axx{}, ayy{}, axy{};
-  if constexpr (back_stress_used) {
+  if constexpr (variant.back_stress) {
     axx = back_stress[0], ayy = back_stress[1], axy = back_stress[2];
     rotate(axx, ayy, axy);
     rxx -= axx, ryy -= ayy, rxy -= axy;
   }
+  if constexpr (!variant.plastic) {
+    f[deviator_xx] = rxx, f[deviator_yy] = ryy, f[deviator_xy] = rxy;
+    return;
+  }
   // q^2 = 3/2 s:s with s_zz = -(s_xx + s_yy)
   const P mises = square_root(3 * (rxx * rxx + ryy * ryy + rxx * ryy + rxy * rxy));
-  const P excess = larger(mises - (k.yield_stress + k.isotropic_modulus * f[plastic_strain]), P{});
+  const P excess = larger(mises - (k.yield_stress + k.isotropic_modulus * f[variant.plastic_strain()]), P{});
   const P dp = excess * k.inverse_return;
   const P flow = mises > 0 ? Real(1.5) * dp / mises : P{};
   const P kept = 1 - twice * flow;
   P work;  // mean stress of the return times the increment
-  if constexpr (back_stress_used) {
+  if constexpr (variant.back_stress) {
     const Real share = k.kinematic_modulus / Real(1.5);
     const P sxx_new = axx + kept * rxx, syy_new = ayy + kept * ryy, sxy_new = axy + kept * rxy;
     work =
@@ -114,12 +118,12 @@ MPM_INLINE void update_deviator(Pack<Real>* f, Pack<Real>* back_stress, const St
     work = dp * (mises - (3 * k.shear_modulus + Real(0.5) * k.isotropic_modulus) * dp);
   }
   f[deviator_xx] = sxx, f[deviator_yy] = syy, f[deviator_xy] = sxy;
-  f[plastic_strain] += dp;
-  f[plastic_work] += work * (k.inverse_rho0 * (1 + f[Column::dilation]));
+  f[variant.plastic_strain()] += dp;
+  f[variant.plastic_work()] += work * (k.inverse_rho0 * (1 + f[Column::dilation]));
 }
 
 /// Pressure, artificial viscosity and the fastest signal: see material/.
-template <class Real, bool linear_tension>
+template <class Real, Variant variant>
 MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Constants<Real>& k,
                                 Real inverse_dt, Extremes<Real>& extremes) {
   using P = Pack<Real>;
@@ -134,7 +138,7 @@ MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Cons
       (cold_slope * away + k.gamma0 * ratio_square * (old_pressure - Real(0.5) * cold)) * k.inverse_rho0;
   bulk_square = larger(bulk_square, all(k.least_sound_square));
   P line_cold = cold * away, line_thermal = all(k.gamma0 * k.rho0);
-  if constexpr (linear_tension) {
+  if constexpr (variant.linear_tension) {
     line_cold = mu < 0 ? k.cold_c * mu : line_cold;
     line_thermal = mu < 0 ? P{} : line_thermal;
     bulk_square = mu < 0 ? all(k.cold_c * k.inverse_rho0) : bulk_square;
@@ -159,9 +163,10 @@ MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Cons
   const P speed = larger(magnitude(f[velocity_x]), magnitude(f[velocity_y]));
   // The signal is speed + viscous + sqrt(root); the root is taken only where it may raise the largest.
   const P root = viscous * viscous + longitudinal, rest = extremes.signal - (speed + viscous);
-  const auto record = (root > rest * rest) | (rest < 0);
+  // Lanes without a particle are at rest; their signal is nobody's.
+  const auto record = ((root > rest * rest) | (rest < 0)) & (f[initial_volume] > 0);
   if (__builtin_expect(any(record), 0))
-    extremes.signal = larger(extremes.signal, speed + viscous + square_root(root));
+    extremes.signal = record ? speed + viscous + square_root(root) : extremes.signal;
   const Real infinite = __builtin_inf();
   extremes.broken |= ~((root + speed < infinite) & (magnitude(held) < infinite));
   extremes.overpressed += held > k.pressure_limit ? f[initial_volume] : P{};

@@ -1,6 +1,7 @@
 #include "libmpm/step/fast/fast_stepper.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -8,80 +9,167 @@
 namespace mpm::fast {
 namespace {
 
-/// A particle moves a few hundredths of a cell in a step, and most of that together with its neighbours.
-/// Measured: PERFORMANCE.md.
-constexpr int steps_between_sorts = 50;
+using Clock = std::chrono::steady_clock;
 
-Constants<double> constants_of(const MaterialModel& m, const Grid& grid) {
+/// A sort costs as much as so many sweeps over blocks out of step cost more than over blocks in step, as a
+/// share of all blocks. When blocks out of step have cost that much, it is time to sort. Measured:
+/// PERFORMANCE.md.
+constexpr double sort_cost = 0.5;
+
+/// Of the grid, that a thread takes at a time.
+constexpr int rows_of_part = 32;
+
+/// A thread that is given fewer costs more than it brings: PERFORMANCE.md.
+constexpr std::size_t least_particles = 10000;
+
+/// Rows beyond those of its band where a stencil may start. Bands of the same parity then never meet.
+constexpr int band_reach = 2;
+
+template <class Real>
+Constants<Real> constants_of(const MaterialModel& m, const Grid& grid) {
   const MieGrueneisen& eos = m.eos;
-  Constants<double> k{};
-  k.rho0 = eos.rho0;
-  k.inverse_rho0 = eos.inverse_rho0;
-  k.cold_c = eos.c, k.cold_d = eos.d, k.cold_s = eos.s;
-  k.gamma0 = eos.gamma0;
-  k.least_sound_square = 0.1 * eos.c * eos.inverse_rho0;
+  const auto real = [](double v) { return static_cast<Real>(v); };
+  Constants<Real> k{};
+  k.rho0 = real(eos.rho0);
+  k.inverse_rho0 = real(eos.inverse_rho0);
+  k.cold_c = real(eos.c), k.cold_d = real(eos.d), k.cold_s = real(eos.s);
+  k.gamma0 = real(eos.gamma0);
+  k.least_sound_square = real(0.1 * eos.c * eos.inverse_rho0);
   k.pressure_floor =
-      eos.tension == Tension::cutoff ? -eos.spall_strength : -std::numeric_limits<double>::infinity();
-  k.pressure_limit = eos.pressure_limit;
-  k.shear_modulus = m.strength.shear_modulus;
-  k.yield_stress = m.strength.yield_stress;
-  k.isotropic_modulus = m.strength.isotropic_modulus;
-  k.kinematic_modulus = m.strength.kinematic_modulus;
-  k.inverse_return = 1 / (3 * k.shear_modulus + k.isotropic_modulus + k.kinematic_modulus);
-  k.linear_viscosity = m.viscosity.linear;
-  k.quadratic_viscosity = m.viscosity.quadratic;
-  k.viscous_length = m.viscosity.length;
-  k.inverse_cell_x = grid.inverse_cell().x();
-  k.inverse_cell_y = grid.inverse_cell().y();
-  k.force_x = k.inverse_rho0 * k.inverse_cell_x;
-  k.force_y = k.inverse_rho0 * k.inverse_cell_y;
+      eos.tension == Tension::cutoff ? real(-eos.spall_strength) : -std::numeric_limits<Real>::infinity();
+  k.pressure_limit = real(eos.pressure_limit);
+  const J2& j2 = m.strength;
+  k.shear_modulus = real(j2.shear_modulus);
+  k.yield_stress = real(j2.yield_stress);
+  k.isotropic_modulus = real(j2.isotropic_modulus);
+  k.kinematic_modulus = real(j2.kinematic_modulus);
+  k.inverse_return = real(1 / (3 * j2.shear_modulus + j2.isotropic_modulus + j2.kinematic_modulus));
+  k.linear_viscosity = real(m.viscosity.linear);
+  k.quadratic_viscosity = real(m.viscosity.quadratic);
+  k.viscous_length = real(m.viscosity.length);
+  k.inverse_cell_x = real(grid.inverse_cell().x());
+  k.inverse_cell_y = real(grid.inverse_cell().y());
+  k.force_x = real(eos.inverse_rho0 * grid.inverse_cell().x());
+  k.force_y = real(eos.inverse_rho0 * grid.inverse_cell().y());
   return k;
 }
 
 }  // namespace
 
-FastStepper::FastStepper(const MaterialModel& model, const Variant& variant)
-    : FastStepper(model, variant, kernels_for(variant)) {}
-
-FastStepper::FastStepper(const MaterialModel& model, const Variant& variant, const Kernels<double>& kernels)
-    : model_(model), variant_(variant), kernels_(kernels) {}
+template <class Real>
+FastStepper<Real>::FastStepper(const MaterialModel& model, const Variant& variant, InstructionSet set)
+    : model_(model), variant_(variant), kernels_(kernels_for<Real>(variant, set)) {}
 
 /// The particles' first way to the grid.
-void FastStepper::begin(State& state) {
+template <class Real>
+void FastStepper<Real>::begin(State& state) {
   const Grid& grid = state.grid;
-  constants_ = constants_of(model_, grid);
-  blocks_.emplace(state.particles, grid, variant_, model_.eos.rho0);
-  now_.emplace(grid.columns());
-  next_.emplace(grid.columns());
+  constants_ = constants_of<Real>(model_, grid);
+  grid_.emplace(grid.columns());
+  blocks_.emplace(state.particles, grid, variant_, model_.eos.rho0, grid_->nodes().stride);
   state.velocity_gradient = {};
-  lowest_ = std::numeric_limits<double>::infinity(), highest_ = 0;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const Vec2& x : state.particles.position) {
-    const double y = (x.y() - grid.origin().y()) * grid.inverse_cell().y();
-    lowest_ = std::min(lowest_, y), highest_ = std::max(highest_, y);
+    const double row = std::floor((x.y() - grid.origin().y()) * grid.inverse_cell().y() + 0.5);
+    lowest = std::min(lowest, row), highest = std::max(highest, row);
   }
-  next_->prepare(highest_);
-  blocks_->sort(next_->nodes().stride);
-  kernels_.scatter(blocks_->data(), blocks_->count(), next_->nodes(), constants_);
-  next_->use(lowest_, highest_);
+  use(lowest * grid_->nodes().stride, highest * grid_->nodes().stride);
+  blocks_->sort(grid_->nodes().rows);
+  for (const auto& range : blocks_->bands()) kernels_.scatter(band(range), grid_->nodes(), constants_);
 }
 
-StepReport FastStepper::step(State& state, double dt) {
-  if (!blocks_) begin(state);
-  std::swap(now_, next_);
-  now_->reflect_sides();
-  if (state.floor == Floor::mirror) now_->reflect_floor();
-  kernels_.move(now_->nodes(), now_->first_row(), now_->last_row(), dt);
-  if (state.floor == Floor::impact_wall) now_->push_off_wall();
-  if (++since_sort_ >= steps_between_sorts) {
-    blocks_->sort(now_->nodes().stride);
-    since_sort_ = 0;
-  }
-  next_->prepare(highest_);
+/// Says where the particles are now.
+template <class Real>
+void FastStepper<Real>::use(double lowest_node, double highest_node) {
+  const int stride = grid_->nodes().stride, highest = static_cast<int>(highest_node) / stride;
+  const int lowest = static_cast<int>(lowest_node) / stride - 1;
+  first_row_ = lowest > 1 ? lowest : -1;  // the floor acts on rows -1, 0 and 1
+  last_row_ = highest + 1;
+  grid_->reach(highest);
+}
+
+template <class Real>
+Band<Real> FastStepper<Real>::band(const typename Blocks<Real>::Range& range) {
+  return {blocks_->block(range.first), range.count, std::max(range.first_row - band_reach, 0),
+          std::min(range.last_row + band_reach, grid_->nodes().rows - 3)};
+}
+
+/// Bands of the same parity touch different nodes, so that they are anybody's; the odd ones follow the even
+/// ones.
+template <class Real>
+SweepReport FastStepper<Real>::sweep(double dt) {
+  const auto bands = blocks_->bands();
+  reports_.assign(bands.size(), {});
+  for (const std::size_t parity : {0, 1})
+    team_.run((bands.size() + 1 - parity) / 2, [&, parity](std::size_t k) {
+      SweepReport& own = reports_[2 * k + parity];
+      own.lowest_node = std::numeric_limits<double>::infinity();
+      kernels_.sweep(band(bands[2 * k + parity]), grid_->nodes(), constants_, dt, own);
+    });
+
   SweepReport sums{};
-  sums.lowest = std::numeric_limits<double>::infinity();
-  kernels_.sweep(blocks_->data(), blocks_->count(), now_->nodes(), next_->nodes(), constants_, dt, sums);
-  lowest_ = sums.lowest, highest_ = sums.highest;
-  next_->use(lowest_, highest_);
+  sums.lowest_node = std::numeric_limits<double>::infinity();
+  stray_ = false;
+  const int stride = grid_->nodes().stride;
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    const SweepReport& own = reports_[b];
+    sums.largest_signal = std::max(sums.largest_signal, own.largest_signal);
+    sums.smallest_dilation = std::min(sums.smallest_dilation, own.smallest_dilation);
+    sums.largest_dilation = std::max(sums.largest_dilation, own.largest_dilation);
+    sums.overpressed += own.overpressed;
+    sums.lowest_node = std::min(sums.lowest_node, own.lowest_node);
+    sums.highest_node = std::max(sums.highest_node, own.highest_node);
+    sums.transfer_heat += own.transfer_heat;
+    sums.momentum_x += own.momentum_x;
+    sums.momentum_y += own.momentum_y;
+    sums.out_of_step += own.out_of_step;
+    sums.broken |= own.broken;
+    stray_ |= own.lowest_node < (bands[b].first_row - 1) * stride ||
+              own.highest_node >= (bands[b].last_row + 2) * stride;
+  }
+  return sums;
+}
+
+/// What the particles gave to the nodes becomes motion. Rows do not ask for each other.
+template <class Real>
+void FastStepper<Real>::move(Floor floor, double dt) {
+  const Nodes<Real>& nodes = grid_->nodes();
+  const auto each_row = [&](auto&& work) {
+    const int rows = last_row_ - first_row_ + 1, parts = (rows + rows_of_part - 1) / rows_of_part;
+    team_.run(static_cast<std::size_t>(parts), [&](std::size_t k) {
+      const int first = first_row_ + static_cast<int>(k) * rows_of_part;
+      work(first, std::min(first + rows_of_part - 1, last_row_));
+    });
+  };
+  each_row([&](int first, int last) {
+    kernels_.collect(nodes, first, last);
+    grid_->reflect_sides(first, last);
+  });
+  if (floor == Floor::mirror && first_row_ == -1) grid_->reflect_floor();
+  each_row([&](int first, int last) { kernels_.move(nodes, first, last, dt); });
+  if (floor == Floor::impact_wall && first_row_ == -1) grid_->push_off_wall();
+  moved_first_ = first_row_, moved_last_ = last_row_;
+}
+
+template <class Real>
+StepReport FastStepper<Real>::step(State& state, double dt) {
+  if (!blocks_) begin(state);
+  auto now = Clock::now();
+  const auto spent = [&now](double& on) {
+    const auto then = std::exchange(now, Clock::now());
+    on += std::chrono::duration<double>(now - then).count();
+  };
+  move(state.floor, dt);
+  spent(times_.grid);
+  if (stray_ || static_cast<double>(out_of_step_) > sort_cost * static_cast<double>(blocks_->count())) {
+    blocks_->sort(grid_->nodes().rows);
+    out_of_step_ = 0;
+  }
+  spent(times_.sort);
+  const SweepReport sums = sweep(dt);
+  spent(times_.particles);
+  out_of_step_ += sums.out_of_step - static_cast<std::int64_t>(blocks_->loose());
+  use(sums.lowest_node, sums.highest_node);
 
   const Grid& grid = state.grid;
   const double unit = model_.eos.rho0 * grid.cell().x() * grid.cell().y();
@@ -92,26 +180,39 @@ StepReport FastStepper::step(State& state, double dt) {
   report.overpressed_mass = unit * sums.overpressed;
   report.transfer_heat = unit * sums.transfer_heat;
   report.wall_impulse = unit * Vec2(sums.momentum_x, sums.momentum_y);
-  report.highest = grid.origin().y() + highest_ * grid.cell().y();
   state.time += dt;
   ++state.step;
   return report;
 }
 
-void FastStepper::refresh_particles(State& state) {
+template <class Real>
+void FastStepper<Real>::use_threads(int threads) {
+  const std::size_t particles = blocks_ ? blocks_->count() * Blocks<Real>::width : 0;
+  const auto most = static_cast<int>(std::max<std::size_t>(particles / least_particles, 1));
+  team_.resize(std::min(threads, most));
+}
+
+template <class Real>
+void FastStepper<Real>::refresh_particles(State& state) {
   if (blocks_) blocks_->copy_to(state.particles, state.grid);
 }
 
-void FastStepper::refresh_particles(State& state, std::span<const std::size_t> which) {
+template <class Real>
+void FastStepper<Real>::refresh_particles(State& state, std::span<const std::size_t> which) {
   if (blocks_) blocks_->copy_to(state.particles, state.grid, which);
 }
 
-void FastStepper::refresh_nodes(State& state, int first_row, int last_row) {
-  if (now_) now_->copy_rows(state.grid, model_.eos.rho0, first_row, last_row);
+template <class Real>
+void FastStepper<Real>::refresh_nodes(State& state, int first_row, int last_row) {
+  if (grid_) grid_->copy_rows(state.grid, model_.eos.rho0, first_row, last_row, moved_first_, moved_last_);
 }
 
-std::size_t FastStepper::memory() const {
-  return blocks_ ? blocks_->memory() + now_->memory() + next_->memory() : 0;
+template <class Real>
+std::size_t FastStepper<Real>::memory() const {
+  return blocks_ ? blocks_->memory() + grid_->memory() : 0;
 }
+
+template class FastStepper<double>;
+template class FastStepper<float>;
 
 }  // namespace mpm::fast

@@ -1,6 +1,8 @@
 #pragma once
 #include <optional>
+#include <vector>
 
+#include "libmpm/core/thread_team.hpp"
 #include "libmpm/step/fast/blocks.hpp"
 #include "libmpm/step/fast/node_grid.hpp"
 #include "libmpm/step/stepper.hpp"
@@ -9,37 +11,49 @@ namespace mpm::fast {
 
 /// The step of step.hpp, made fast. What it does differently, and what each part brings, is told in
 /// PERFORMANCE.md.
-///   - Particles lie in blocks in the order of the cells (blocks.hpp), in units of cells.
+///   - Particles lie in blocks, lane by lane in neighbouring cells, in units of cells (blocks.hpp).
 ///   - One pass over them does grid to particles, stress, and particles to grid for the next step
-///   (sweep.hpp):
-///     the grid exists twice, and when a step is over one of the two holds the next step's momentum and
-///     forces.
+///   (sweep.hpp).
+///   - Bands of rows are worked on by several threads, where they are given (ThreadTeam). What a result is
+///   made of does not depend on who made which part.
 ///   - Each combination of shape function and physics that needs code of its own has a kernel, in each
 ///     instruction set (kernels.hpp).
-/// Results agree with the reference step to rounding, and are the same bits for every instruction set.
+/// Results agree with the reference step to rounding.
 /// state.particles is read in the first step and not afterwards: to change particles, make a new stepper.
+template <class Real>
 class FastStepper : public Stepper {
  public:
-  FastStepper(const MaterialModel&, const Variant&);
-  FastStepper(const MaterialModel&, const Variant&, const Kernels<double>&);
+  FastStepper(const MaterialModel&, const Variant&, InstructionSet = best_instruction_set());
 
   StepReport step(State&, double dt) override;
   void refresh_particles(State&) override;
   void refresh_particles(State&, std::span<const std::size_t> which) override;
   void refresh_nodes(State&, int first_row, int last_row) override;
   std::size_t memory() const override;
+  StepTimes times() const override { return times_; }
+  void use_threads(int threads) override;
+  double helper_seconds() const override { return team_.helper_seconds(); }
 
  private:
   void begin(State&);
+  Band<Real> band(const typename Blocks<Real>::Range&);
+  SweepReport sweep(double dt);
+  void move(Floor, double dt);
+  void use(double lowest_node, double highest_node);
 
   MaterialModel model_;
   Variant variant_;
-  Kernels<double> kernels_;
-  Constants<double> constants_{};
-  std::optional<Blocks<double>> blocks_;
-  std::optional<NodeGrid<double>> now_, next_;
-  double lowest_ = 0, highest_ = 0;  ///< of the particles [cells]
-  int since_sort_ = 0;
+  Kernels<Real> kernels_;
+  Constants<Real> constants_{};
+  std::optional<Blocks<Real>> blocks_;
+  std::optional<NodeGrid<Real>> grid_;
+  int first_row_ = 0, last_row_ = -1;      ///< of the nodes that the particles reach
+  int moved_first_ = 0, moved_last_ = -1;  ///< of the nodes that moved in the last step
+  std::int64_t out_of_step_ = 0;  ///< blocks that fell out of step, summed over the steps since the last sort
+  std::vector<SweepReport> reports_;  ///< of the bands in the last sweep
+  ThreadTeam team_;
+  StepTimes times_;
+  bool stray_ = false;  ///< particles are about to leave the rows of their band
 };
 
 }  // namespace mpm::fast

@@ -5,22 +5,24 @@
 
 namespace mpm::fast::MPM_ISA {
 
-template <class Real, bool gimp, bool back_stress, bool linear_tension>
+template <class Real, Variant variant>
 Kernels<Real> compiled() {
-  using S = Sweep<Real, gimp, back_stress, linear_tension>;
-  return {S::scatter, S::sweep, move_nodes<Real>};
+  using S = Sweep<Real, variant>;
+  return {S::scatter, S::sweep, collect_nodes<Real>, move_nodes<Real>};
+}
+
+template <class Real, bool gimp, bool linear_tension>
+Kernels<Real> with_strength(const Variant& v) {
+  if (v.back_stress) return compiled<Real, Variant{gimp, true, true, linear_tension}>();
+  return v.plastic ? compiled<Real, Variant{gimp, true, false, linear_tension}>()
+                   : compiled<Real, Variant{gimp, false, false, linear_tension}>();
 }
 
 template <class Real>
-Kernels<Real> choose(const Variant& v) {
-  if (v.gimp) {
-    if (v.back_stress)
-      return v.linear_tension ? compiled<Real, true, true, true>() : compiled<Real, true, true, false>();
-    return v.linear_tension ? compiled<Real, true, false, true>() : compiled<Real, true, false, false>();
-  }
-  if (v.back_stress)
-    return v.linear_tension ? compiled<Real, false, true, true>() : compiled<Real, false, true, false>();
-  return v.linear_tension ? compiled<Real, false, false, true>() : compiled<Real, false, false, false>();
+Kernels<Real> kernels(const Variant& v) {
+  if (v.gimp)
+    return v.linear_tension ? with_strength<Real, true, true>(v) : with_strength<Real, true, false>(v);
+  return v.linear_tension ? with_strength<Real, false, true>(v) : with_strength<Real, false, false>(v);
 }
 
 }  // namespace mpm::fast::MPM_ISA

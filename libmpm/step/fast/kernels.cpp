@@ -1,6 +1,16 @@
 #include "libmpm/step/fast/kernels.hpp"
 
+#include <stdexcept>
+
 namespace mpm::fast {
+namespace baseline {
+template <class Real>
+Kernels<Real> kernels(const Variant&);
+}
+namespace avx2 {
+template <class Real>
+Kernels<Real> kernels(const Variant&);
+}
 
 bool supported(InstructionSet set) {
   switch (set) {
@@ -8,7 +18,7 @@ bool supported(InstructionSet set) {
       return true;
     case InstructionSet::avx2:
 #if defined(MPM_KERNELS_AVX2)
-      return __builtin_cpu_supports("avx2");
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #else
       return false;
 #endif
@@ -16,16 +26,20 @@ bool supported(InstructionSet set) {
   return false;
 }
 
-Kernels<double> kernels_for(const Variant& v, InstructionSet set) {
-  if (!supported(set)) return {};
-#if defined(MPM_KERNELS_AVX2)
-  if (set == InstructionSet::avx2) return avx2::kernels(v);
-#endif
-  return baseline::kernels(v);
+InstructionSet best_instruction_set() {
+  return supported(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
 }
 
-Kernels<double> kernels_for(const Variant& v) {
-  return kernels_for(v, supported(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline);
+template <class Real>
+Kernels<Real> kernels_for(const Variant& v, InstructionSet set) {
+  if (!supported(set)) throw std::logic_error("this processor lacks the instruction set");
+#if defined(MPM_KERNELS_AVX2)
+  if (set == InstructionSet::avx2) return avx2::kernels<Real>(v);
+#endif
+  return baseline::kernels<Real>(v);
 }
+
+template Kernels<double> kernels_for(const Variant&, InstructionSet);
+template Kernels<float> kernels_for(const Variant&, InstructionSet);
 
 }  // namespace mpm::fast

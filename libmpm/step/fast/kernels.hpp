@@ -1,14 +1,16 @@
 #pragma once
-/// What the fast step is made of: plain data and two functions, compiled for several instruction sets.
+/// What the fast step is made of: plain data and a few functions, compiled for several instruction sets.
 #include <cstddef>
 #include <cstdint>
 
 namespace mpm::fast {
 
-/// Columns of a block of particles. Lengths are in cells, volumes in cells too, so that single precision
-/// suffices; everything else is SI. Columns that a variant lacks have no place in its blocks.
+/// Columns of a block of particles. Lengths are in cells, volumes in cells too, and positions are relative to
+/// the nearest node, so that single precision suffices; everything else is SI. Columns that a variant lacks
+/// have no place in its blocks.
 enum Column : int {
-  position_x,        ///< against the grid's origin [cells]
+  node,              ///< index of the lower left node of the stencil, a whole number
+  position_x,        ///< against the nearest node, -1/2 ... 1/2 [cells]
   position_y,        ///< [cells]
   velocity_x,        ///< [m/s]
   velocity_y,        ///< [m/s]
@@ -20,29 +22,53 @@ enum Column : int {
   deviator_xx,       ///< [Pa]; deviator_zz = -(xx + yy)
   deviator_yy,
   deviator_xy,
-  plastic_strain,  ///< [1]
-  plastic_work,    ///< [J/kg]
   common_columns,
 };
 
 /// What is compiled: each combination is a kernel of its own, so that what a scene lacks costs nothing.
 struct Variant {
   bool gimp;            ///< two more columns: half sizes of the domain [cells]
-  bool back_stress;     ///< three more columns: kinematic hardening
+  bool plastic;         ///< two more columns: plastic strain [1], plastic work [J/kg]
+  bool back_stress;     ///< three more columns: kinematic hardening; only with `plastic`
   bool linear_tension;  ///< P = C mu in expansion
 
-  int columns() const { return common_columns + (gimp ? 2 : 0) + (back_stress ? 3 : 0); }
+  constexpr int half_size() const { return common_columns; }
+  constexpr int plastic_strain() const { return half_size() + (gimp ? 2 : 0); }
+  constexpr int plastic_work() const { return plastic_strain() + 1; }
+  constexpr int back_stress_xx() const { return plastic_strain() + (plastic ? 2 : 0); }
+  constexpr int columns() const { return back_stress_xx() + (back_stress ? 3 : 0); }
 };
 
-/// Nodes row by row. Index of node (i, j): (j + 1) stride + (i + 1).
+/// Components of Nodes::sums and of Nodes::motion.
+enum Sum : int { node_mass, momentum_of_x, momentum_of_y, force_of_x, force_of_y, sum_components };
+enum Motion : int {
+  motion_x,  ///< momentum, then velocity at the end of the step [m/s]
+  motion_y,
+  change_x,  ///< force, then change of velocity over the step [m/s]
+  change_y,
+  change_square,  ///< square of the change of velocity [m^2/s^2]
+  motion_mass,    ///< [rho0 hx hy]
+  motion_components,
+};
+
+/// Nodes row by row, in groups of `width` neighbours; the components of a group lie side by side, each a
+/// pack. Number of node (i, j): (j + 1) stride + (i + 1). Groups begin at multiples of the width.
 template <class Real>
 struct Nodes {
-  Real* motion;  ///< four a node: momentum and force, then velocity and change of velocity over the step
-  Real* mass;    ///< [rho0 hx hy]
-  Real* square;  ///< of the change of velocity [m^2/s^2]
-  int stride;    ///< a multiple of 4
+  static constexpr int width = 32 / sizeof(Real);
+
+  Real* motion;  ///< see Motion
+  Real* sums;    ///< component c of node n is the sum over k < 3 of what entry 3 c + k holds at node n - k
+  int stride;    ///< a multiple of the width
   int columns;   ///< cells across
   int rows;      ///< nodes j = -1 ... rows - 2
+
+  static constexpr std::ptrdiff_t motion_at(std::ptrdiff_t node, int component = 0) {
+    return (node / width * motion_components + component) * width + node % width;
+  }
+  static constexpr std::ptrdiff_t sum_at(std::ptrdiff_t node, int entry = 0) {
+    return (node / width * (3 * sum_components) + entry) * width + node % width;
+  }
 };
 
 /// Numbers of the material and the grid that a sweep uses.
@@ -58,39 +84,44 @@ struct Constants {
   Real inverse_cell_x, inverse_cell_y;
 };
 
-/// Sums over the particles of a sweep.
+/// Blocks side by side, and the rows of nodes in which their stencils may start. A particle that would leave
+/// these rows is broken: it is kept inside, so that nothing else is overwritten.
+template <class Real>
+struct Band {
+  Real* blocks;
+  std::size_t count;
+  int first_row, last_row;
+};
+
+/// Sums over the particles of a band.
 struct SweepReport {
   double largest_signal, smallest_dilation, largest_dilation;
-  double overpressed;             ///< mass beyond the equation of state [rho0 hx hy]
-  double lowest, highest;         ///< y of the particles after the step [cells]
-  double transfer_heat;           ///< [rho0 hx hy m^2/s^2]
-  double momentum_x, momentum_y;  ///< gained [rho0 hx hy m/s]
-  bool broken;                    ///< a particle is not finite or left the grid
+  double overpressed;                ///< mass beyond the equation of state [rho0 hx hy]
+  double lowest_node, highest_node;  ///< index of the lower left node of a stencil, after the step
+  double transfer_heat;              ///< [rho0 hx hy m^2/s^2]
+  double momentum_x, momentum_y;     ///< gained [rho0 hx hy m/s]
+  std::int64_t out_of_step;          ///< blocks whose lanes do not lie in neighbouring cells
+  bool broken;                       ///< a particle is not finite or left its rows
 };
 
 template <class Real>
 struct Kernels {
-  /// Particles to grid: adds mass, momentum and internal force of blocks to `to`.
-  void (*scatter)(const Real* blocks, std::size_t block_count, const Nodes<Real>& to, const Constants<Real>&);
-  /// Grid to particles, stress, and particles to the grid of the next step, in one pass over the particles.
-  void (*sweep)(Real* blocks, std::size_t block_count, const Nodes<Real>& from, const Nodes<Real>& to,
-                const Constants<Real>&, double dt, SweepReport&);
+  /// Particles to grid: adds mass, momentum and internal force of blocks to the sums.
+  void (*scatter)(const Band<Real>&, const Nodes<Real>&, const Constants<Real>&);
+  /// Grid to particles, stress, and particles to the sums of the next step, in one pass over the particles.
+  void (*sweep)(const Band<Real>&, const Nodes<Real>&, const Constants<Real>&, double dt, SweepReport&);
+  /// Sums of rows [first, last] become mass, momentum and force, and are cleared.
+  void (*collect)(const Nodes<Real>&, int first_row, int last_row);
   /// Momentum and force of rows [first, last] become motion. Nodes without mass stay at zero.
   void (*move)(const Nodes<Real>&, int first_row, int last_row, double dt);
 };
 
-/// The kernels of the best instruction set of this processor.
-Kernels<double> kernels_for(const Variant&);
-/// Those of one instruction set; null pointers where it is not there. For tests.
 enum class InstructionSet { baseline, avx2 };
-Kernels<double> kernels_for(const Variant&, InstructionSet);
 bool supported(InstructionSet);
+/// The best one of this processor.
+InstructionSet best_instruction_set();
 
-namespace baseline {
-Kernels<double> kernels(const Variant&);
-}
-namespace avx2 {
-Kernels<double> kernels(const Variant&);
-}
+template <class Real>
+Kernels<Real> kernels_for(const Variant&, InstructionSet);
 
 }  // namespace mpm::fast

@@ -3,5 +3,6 @@
 #include "libmpm/step/fast/instantiate.hpp"
 
 namespace mpm::fast::baseline {
-Kernels<double> kernels(const Variant& v) { return choose<double>(v); }
+template Kernels<double> kernels(const Variant&);
+template Kernels<float> kernels(const Variant&);
 }  // namespace mpm::fast::baseline

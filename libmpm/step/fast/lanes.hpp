@@ -1,8 +1,8 @@
 #pragma once
-/// Numbers side by side. The kernels are written once, for a fixed number of lanes, and compiled once for
-/// each instruction set: the translation unit says which by MPM_ISA, the namespace that keeps them apart.
-/// Lanes are summed in an order that does not depend on the instruction set, and nothing is contracted, so
-/// all of them give the same bits.
+/// Numbers side by side. The kernels are written once, for packs of 32 bytes, and compiled once for each
+/// instruction set: the translation unit says which by MPM_ISA, the namespace that keeps them apart. Lanes
+/// are summed in an order that does not depend on the instruction set. The AVX2 kernels contract a*b + c into
+/// one rounding (FMA), the baseline ones cannot: that is all in which their results differ.
 ///
 /// Kernel headers use no function of another library: a copy of it that was compiled for AVX2 might be the
 /// one that the linker keeps for everybody.
@@ -19,91 +19,109 @@
 
 namespace mpm::fast::MPM_ISA {
 
-/// Pack: the same quantity of `width` particles. Quad: four quantities of one particle or node.
+/// Pack: the same quantity of `width` particles or nodes.
 template <class Real>
 struct Lanes;
 
 template <>
 struct Lanes<double> {
   typedef double Pack __attribute__((vector_size(32)));
-  typedef double Quad __attribute__((vector_size(32)));
   typedef std::int64_t Mask __attribute__((vector_size(32)));
-  typedef std::int32_t Index __attribute__((vector_size(16)));
   static constexpr int width = 4;
+  static constexpr Pack numbers = {0, 1, 2, 3};
+  static constexpr double round_to_whole = 0x1.8p52;  ///< a + this - this is a whole number
+};
+
+template <>
+struct Lanes<float> {
+  typedef float Pack __attribute__((vector_size(32)));
+  typedef std::int32_t Mask __attribute__((vector_size(32)));
+  static constexpr int width = 8;
+  static constexpr Pack numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+  static constexpr float round_to_whole = 0x1.8p23F;
 };
 
 template <class Real>
 using Pack = typename Lanes<Real>::Pack;
 template <class Real>
-using Quad = typename Lanes<Real>::Quad;
+using Mask = typename Lanes<Real>::Mask;
 
 using PackD = Pack<double>;
+using PackF = Pack<float>;
 
 template <class Real>
 MPM_INLINE Pack<Real> all(Real v) {
   return v - Pack<Real>{};  // a broadcast; exact
 }
-template <class Real>
-MPM_INLINE Quad<Real> quad(Real v) {
-  return Quad<Real>{v, v, v, v};
-}
 
-/// The same number in all lanes, from memory.
-template <class Real>
-MPM_INLINE Quad<Real> repeat(const Real* from) {
-  return quad<Real>(*from);
-}
 #if defined(__AVX__)
-template <>
-MPM_INLINE Quad<double> repeat(const double* from) {
-  return (Quad<double>)_mm256_broadcast_sd(from);  // GCC 12 makes three instructions of the general form
-}
 MPM_INLINE PackD square_root(PackD a) { return (PackD)_mm256_sqrt_pd((__m256d)a); }
+MPM_INLINE PackF square_root(PackF a) { return (PackF)_mm256_sqrt_ps((__m256)a); }
 /// The larger one; b where either is not a number.
 MPM_INLINE PackD larger(PackD a, PackD b) { return (PackD)_mm256_max_pd((__m256d)a, (__m256d)b); }
+MPM_INLINE PackF larger(PackF a, PackF b) { return (PackF)_mm256_max_ps((__m256)a, (__m256)b); }
 MPM_INLINE PackD smaller(PackD a, PackD b) { return (PackD)_mm256_min_pd((__m256d)a, (__m256d)b); }
+MPM_INLINE PackF smaller(PackF a, PackF b) { return (PackF)_mm256_min_ps((__m256)a, (__m256)b); }
+MPM_INLINE bool any(Mask<double> m) { return _mm256_movemask_pd((__m256d)m) != 0; }
+MPM_INLINE bool any(Mask<float> m) { return _mm256_movemask_ps((__m256)m) != 0; }
 #else
 MPM_INLINE PackD square_root(PackD a) {
   for (int k = 0; k < 4; ++k) a[k] = __builtin_sqrt(a[k]);
   return a;
 }
+MPM_INLINE PackF square_root(PackF a) {
+  for (int k = 0; k < 8; ++k) a[k] = __builtin_sqrtf(a[k]);
+  return a;
+}
 MPM_INLINE PackD larger(PackD a, PackD b) { return a > b ? a : b; }
+MPM_INLINE PackF larger(PackF a, PackF b) { return a > b ? a : b; }
 MPM_INLINE PackD smaller(PackD a, PackD b) { return a < b ? a : b; }
+MPM_INLINE PackF smaller(PackF a, PackF b) { return a < b ? a : b; }
+MPM_INLINE bool any(Mask<double> m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+MPM_INLINE bool any(Mask<float> m) { return (m[0] | m[1] | m[2] | m[3] | m[4] | m[5] | m[6] | m[7]) != 0; }
 #endif
-#if defined(__AVX__)
-MPM_INLINE bool any(Lanes<double>::Mask m) { return _mm256_movemask_pd((__m256d)m) != 0; }
-#else
-MPM_INLINE bool any(Lanes<double>::Mask m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
-#endif
-MPM_INLINE PackD magnitude(PackD a) { return (PackD)((Lanes<double>::Mask)a & INT64_MAX); }
-
-/// Four consecutive numbers from anywhere.
+MPM_INLINE PackD magnitude(PackD a) { return (PackD)((Mask<double>)a & INT64_MAX); }
+MPM_INLINE PackF magnitude(PackF a) { return (PackF)((Mask<float>)a & INT32_MAX); }
+/// a where the mask says so, else 0.
 template <class Real>
-MPM_INLINE Quad<Real> load_quad(const Real* from) {
-  typedef Real Unaligned __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
-  return *reinterpret_cast<const Unaligned*>(from);
+MPM_INLINE Pack<Real> where(Mask<Real> mask, Pack<Real> a) {
+  return (Pack<Real>)((Mask<Real>)a & mask);
 }
+/// The nearest whole numbers. |a| < 2^22.
 template <class Real>
-MPM_INLINE void store_quad(Real* to, Quad<Real> v) {
-  typedef Real Unaligned __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
-  *reinterpret_cast<Unaligned*>(to) = v;
+MPM_INLINE Pack<Real> rounded(Pack<Real> a) {
+  return (a + Lanes<Real>::round_to_whole) - Lanes<Real>::round_to_whole;
 }
 
-/// Rows of four quantities, one row a particle, `stride` rows apart, to one pack a quantity; and back.
-MPM_INLINE void transpose_in(const PackD* rows, int stride, PackD& a, PackD& b, PackD& c, PackD& d) {
-  const PackD r0 = rows[0], r1 = rows[stride], r2 = rows[2 * stride], r3 = rows[3 * stride];
-  const PackD ac01 = __builtin_shufflevector(r0, r1, 0, 4, 2, 6),
-              bd01 = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
-  const PackD ac23 = __builtin_shufflevector(r2, r3, 0, 4, 2, 6),
-              bd23 = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ac01, ac23, 0, 1, 4, 5);
-  b = __builtin_shufflevector(bd01, bd23, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ac01, ac23, 2, 3, 6, 7);
-  d = __builtin_shufflevector(bd01, bd23, 2, 3, 6, 7);
+/// Lane l is from[at[l]].
+MPM_INLINE PackD fetched(const double* from, const std::int32_t* at) {
+  return PackD{from[at[0]], from[at[1]], from[at[2]], from[at[3]]};
 }
-MPM_INLINE void transpose_out(PackD a, PackD b, PackD c, PackD d, PackD* rows, int stride) {
-  const PackD packs[] = {a, b, c, d};
-  transpose_in(packs, 1, rows[0], rows[stride], rows[2 * stride], rows[3 * stride]);
+MPM_INLINE PackF fetched(const float* from, const std::int32_t* at) {
+  return PackF{from[at[0]], from[at[1]], from[at[2]], from[at[3]],
+               from[at[4]], from[at[5]], from[at[6]], from[at[7]]};
+}
+
+/// Of the numbers n of two neighbouring packs, those at l, l + 1 and l + 2 in lane l.
+MPM_INLINE void columns_of(PackD a, PackD b, PackD* column) {
+  column[0] = a;
+  column[2] = __builtin_shufflevector(a, b, 2, 3, 4, 5);
+  column[1] = __builtin_shufflevector(a, column[2], 1, 4, 3, 6);
+}
+MPM_INLINE void columns_of(PackF a, PackF b, PackF* column) {
+  const PackF middle = __builtin_shufflevector(a, b, 4, 5, 6, 7, 8, 9, 10, 11);
+  column[0] = a;
+  column[1] = __builtin_shufflevector(a, b, 1, 2, 3, 4, 5, 6, 7, 8);
+  column[2] = __builtin_shufflevector(a, middle, 2, 3, 8, 9, 6, 7, 12, 13);
+}
+/// Those at l - k in lane l of the second pack.
+template <int k>
+MPM_INLINE PackD shifted(PackD before, PackD a) {
+  return __builtin_shufflevector(before, a, 4 - k, 5 - k, 6 - k, 7 - k);
+}
+template <int k>
+MPM_INLINE PackF shifted(PackF before, PackF a) {
+  return __builtin_shufflevector(before, a, 8 - k, 9 - k, 10 - k, 11 - k, 12 - k, 13 - k, 14 - k, 15 - k);
 }
 
 }  // namespace mpm::fast::MPM_ISA

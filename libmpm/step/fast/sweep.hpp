@@ -1,125 +1,131 @@
 #pragma once
 /// The one pass over the particles of a step: grid to particles, stress, particles to the grid of the next
 /// step. p2g needs no time step, so it can follow while the particle is at hand; walls and time step come in
-/// between, on the grid. A chunk of particles goes through four loops that stay in the first-level cache:
-///   1. weights      packs of particles side by side
-///   2. gather       one particle at a time, the components of a node side by side (transfer.hpp)
-///   3. update       packs: motion, energy, stress, new weights, what the grid will receive
-///   4. scatter      one particle at a time, in the order of storage
+/// between, on the grid. A chunk of particles goes through a few loops that stay in the first-level cache:
+/// a pack's chain of operations is long in each, and the processor finds room for several packs at once.
 #include "libmpm/step/fast/constitutive.hpp"
 #include "libmpm/step/fast/transfer.hpp"
 
 namespace mpm::fast::MPM_ISA {
 
-/// Blocks a chunk: its buffers take 344 bytes a particle (double).
 inline constexpr int chunk_blocks = 8;
 
-template <class Real, bool gimp_shape, bool back_stress_used, bool linear_tension>
+template <class Real, Variant variant>
 struct Sweep {
   using P = Pack<Real>;
   static constexpr int width = Lanes<Real>::width;
-  static constexpr Variant variant{gimp_shape, back_stress_used, linear_tension};
-  static constexpr int columns = common_columns + (gimp_shape ? 2 : 0) + (back_stress_used ? 3 : 0);
-  static constexpr int half_size = common_columns;
-  static constexpr int back_stress = common_columns + (gimp_shape ? 2 : 0);
+  static constexpr int columns = variant.columns();
 
   struct Chunk {
     PackWeights<Real> weights[chunk_blocks];
-    Seen<Real> seen[chunk_blocks * width];
-    Given<Real> given[chunk_blocks * width];
-    P mass_y[chunk_blocks][3];
     Gradient<Real> gradient[chunk_blocks];
     Strain<Real> strain[chunk_blocks];
+    bool in_step[chunk_blocks];
   };
 
-  static MPM_INLINE Bounds<Real> bounds(const Nodes<Real>& n) {
-    return {all<Real>(-0.5), all<Real>(n.columns + 0.5), all<Real>(n.rows - 3.0)};
-  }
-  static MPM_INLINE auto weigh_block(const P* f, const Bounds<Real>& bounds, Real stride,
-                                     PackWeights<Real>& w) {
-    if constexpr (gimp_shape)
-      return weigh<Real, true>(f[position_x], f[position_y], f[half_size], f[half_size + 1], bounds, stride,
-                               w);
-    else
-      return weigh<Real, false>(f[position_x], f[position_y], P{}, P{}, bounds, stride, w);
+  static MPM_INLINE void weigh(const P* f, PackWeights<Real>& w) {
+    if constexpr (variant.gimp) {
+      gimp_axis<Real>(f[position_x], f[variant.half_size()], w.x, w.slope_x);
+      gimp_axis<Real>(f[position_y], f[variant.half_size() + 1], w.y, w.slope_y);
+    } else {
+      bspline2_axis<Real>(f[position_x], w.x, w.slope_x);
+      bspline2_axis<Real>(f[position_y], w.y, w.slope_y);
+    }
   }
 
-  /// What the block gives to the grid.
-  static MPM_INLINE void give(const P* f, const Constants<Real>& k, const PackWeights<Real>& w,
-                              Given<Real>* given, P* mass_y) {
-    const P mass = f[initial_volume], volume = mass * (1 + f[Column::dilation]);
-    const P mean = f[Column::pressure] + f[viscous_pressure];
-    const P per_x = volume * k.force_x, per_y = volume * k.force_y;
-    const P xx = (mean - f[deviator_xx]) * per_x, yy = (mean - f[deviator_yy]) * per_y;
-    const P xy_x = -f[deviator_xy] * per_x, xy_y = -f[deviator_xy] * per_y;
-    auto* rows = reinterpret_cast<Quad<Real>*>(given);
-    transpose_out(mass * f[velocity_x], mass * f[velocity_y], xy_y, yy, rows, 3);
-    transpose_out(P{}, P{}, xx, xy_x, rows + 1, 3);
-    transpose_out(w.x[0], w.x[1], w.x[2], P{}, rows + 2, 3);
-    for (int j = 0; j < 3; ++j) mass_y[j] = mass * w.y[j];
+  /// Lanes without a particle see nothing: their state stays what it is.
+  static MPM_INLINE void blind(const P* f, PackWeights<Real>& w) {
+    const Mask<Real> present = f[initial_volume] > 0;
+    for (int i = 0; i < 3; ++i) {
+      w.x[i] = where<Real>(present, w.x[i]);
+      w.slope_x[i] = where<Real>(present, w.slope_x[i]);
+    }
   }
 
   /// Motion and energy of a block from what it sees; the gradient of its displacement.
-  static MPM_INLINE Gradient<Real> advance(P* f, const Seen<Real>* seen, const PackWeights<Real>& w,
-                                           const Constants<Real>& k, Real dt, Extremes<Real>& extremes,
-                                           P* sums) {
-    const auto* rows = reinterpret_cast<const Quad<Real>*>(seen);
-    P vx, vy, dvx, dvy, vx_x, vy_x, dvx_x, dvy_x, vx_y, vy_y, dvx_y, dvy_y, s0, s1, s2, foreign;
-    transpose_in(rows, 4, vx, vy, dvx, dvy);
-    transpose_in(rows + 1, 4, vx_x, vy_x, dvx_x, dvy_x);
-    transpose_in(rows + 2, 4, vx_y, vy_y, dvx_y, dvy_y);
-    transpose_in(rows + 3, 4, s0, s1, s2, foreign);
+  template <bool packs_in_step>
+  static MPM_INLINE Gradient<Real> advance(P* f, const Nodes<Real>& nodes, const PackWeights<Real>& w,
+                                           const Constants<Real>& k, Real dt, P* sums) {
+    const Reader<Real, packs_in_step> reader(nodes, f[node]);
+    const Seen<Real> vx = see(reader, motion_x, w), dvx = see(reader, change_x, w);
+    const Seen<Real> vy = see(reader, motion_y, w), dvy = see(reader, change_y, w);
     const Real to_x = dt * k.inverse_cell_x, to_y = dt * k.inverse_cell_y;
-    const Gradient<Real> l{to_x * vx_x, to_y * vx_y, to_x * vy_x, to_y * vy_y};
+    const Gradient<Real> l{to_x * vx.along_x, to_y * vx.along_y, to_x * vy.along_x, to_y * vy.along_y};
 
     // work of the stress that made the forces, on the velocity in the middle of the step
     const Real half = 0.5;
     const P mean = f[Column::pressure] + f[viscous_pressure];
-    const P middle_xx = to_x * (vx_x - half * dvx_x), middle_yy = to_y * (vy_y - half * dvy_y);
-    const P middle_xy = to_y * (vx_y - half * dvx_y) + to_x * (vy_x - half * dvy_x);
+    const P middle_xx = l.xx - (half * to_x) * dvx.along_x, middle_yy = l.yy - (half * to_y) * dvy.along_y;
+    const P middle_xy = (l.xy + l.yx) - ((half * to_y) * dvx.along_y + (half * to_x) * dvy.along_x);
     const P power = (f[deviator_xx] - mean) * middle_xx + (f[deviator_yy] - mean) * middle_yy +
                     f[deviator_xy] * middle_xy;
     const P work = (k.inverse_rho0 * (1 + f[Column::dilation])) * power;
-    const P square = w.x[0] * s0 + w.x[1] * s1 + w.x[2] * s2;
-    const P heat = half * (square - (dvx * dvx + dvy * dvy));
+    const P square = see(reader, change_square, w).value;
+    const P heat = half * (square - (dvx.value * dvx.value + dvy.value * dvy.value));
     f[energy] += work + heat;
     sums[0] += f[initial_volume] * heat;
-    sums[1] += f[initial_volume] * dvx;
-    sums[2] += f[initial_volume] * dvy;
+    sums[1] += f[initial_volume] * dvx.value;
+    sums[2] += f[initial_volume] * dvy.value;
 
-    f[velocity_x] += dvx;
-    f[velocity_y] += dvy;
-    f[position_x] += to_x * vx;
-    f[position_y] += to_y * vy;
-    extremes.low = smaller(extremes.low, f[position_y]);
-    extremes.high = larger(extremes.high, f[position_y]);
-    if constexpr (gimp_shape) {
-      f[half_size] *= 1 + l.xx;
-      f[half_size + 1] *= 1 + l.yy;
+    f[velocity_x] += dvx.value;
+    f[velocity_y] += dvy.value;
+    f[position_x] += to_x * vx.value;
+    f[position_y] += to_y * vy.value;
+    if constexpr (variant.gimp) {
+      f[variant.half_size()] *= 1 + l.xx;
+      f[variant.half_size() + 1] *= 1 + l.yy;
     }
     return l;
   }
 
-  static MPM_INLINE void scatter_chunk(const Chunk& chunk, int blocks, Nodes<Real> to) {
-    for (int b = 0; b < blocks; ++b)
-#pragma GCC unroll 4
-      for (int lane = 0; lane < width; ++lane)
-        MPM_ISA::scatter(to, chunk.weights[b], lane, chunk.given[b * width + lane], chunk.mass_y[b]);
+  /// Particles that came nearer to another node belong to it from now on. Those that leave the grid or the
+  /// rows of their band stay where they were: true.
+  static bool __attribute__((noinline))
+  change_nodes(P* f, const Nodes<Real>& nodes, int first_row, int last_row) {
+    bool broken = false;
+    for (int l = 0; l < width; ++l) {
+      if (f[initial_volume][l] == 0) continue;
+      const Real shift_x = rounded<Real>(f[position_x])[l], shift_y = rounded<Real>(f[position_y])[l];
+      const int old = static_cast<int>(f[node][l]), row = old / nodes.stride, column = old % nodes.stride;
+      const Real to_column = static_cast<Real>(column) + shift_x, to_row = static_cast<Real>(row) + shift_y;
+      if (to_column >= 0 && to_column <= static_cast<Real>(nodes.columns) &&
+          to_row >= static_cast<Real>(first_row) && to_row <= static_cast<Real>(last_row)) {
+        f[position_x][l] -= shift_x;
+        f[position_y][l] -= shift_y;
+        f[node][l] = static_cast<Real>(static_cast<int>(to_row) * nodes.stride + static_cast<int>(to_column));
+      } else {  // or not a number
+        f[position_x][l] = f[position_y][l] = 0;
+        broken = true;
+      }
+    }
+    return broken;
   }
 
-  static void scatter(const Real* blocks, std::size_t block_count, const Nodes<Real>& to,
-                      const Constants<Real>& k) {
-    const Bounds<Real> inside = bounds(to);
-    Chunk chunk;
-    for (std::size_t start = 0; start < block_count; start += chunk_blocks) {
-      const int count =
-          static_cast<int>(block_count - start < chunk_blocks ? block_count - start : chunk_blocks);
-      const auto* f = reinterpret_cast<const P*>(blocks) + start * columns;
-      for (int b = 0; b < count; ++b) {
-        weigh_block(f + b * columns, inside, to.stride, chunk.weights[b]);
-        give(f + b * columns, k, chunk.weights[b], chunk.given + b * width, chunk.mass_y[b]);
-      }
-      scatter_chunk(chunk, count, to);
+  /// What the block gives to the grid.
+  static MPM_INLINE void give(const P* f, const Nodes<Real>& nodes, const PackWeights<Real>& w,
+                              const Constants<Real>& k, bool packs_in_step) {
+    const P mass = f[initial_volume], volume = mass * (1 + f[Column::dilation]);
+    const P mean = f[Column::pressure] + f[viscous_pressure];
+    const P per_x = volume * k.force_x, per_y = volume * k.force_y;
+    const Given<Real> given{mass,
+                            mass * f[velocity_x],
+                            mass * f[velocity_y],
+                            (mean - f[deviator_xx]) * per_x,
+                            -f[deviator_xy] * per_x,
+                            -f[deviator_xy] * per_y,
+                            (mean - f[deviator_yy]) * per_y};
+    if (packs_in_step)
+      add_in_step(nodes, f[node], w, given);
+    else
+      add_one_by_one(nodes, f[node], w, given);
+  }
+
+  static void scatter(const Band<Real>& band, const Nodes<Real>& nodes, const Constants<Real>& k) {
+    const auto* f = reinterpret_cast<const P*>(band.blocks);
+    for (std::size_t b = 0; b < band.count; ++b, f += columns) {
+      PackWeights<Real> w;
+      weigh(f, w);
+      give(f, nodes, w, k, in_step<Real>(f[node]));
     }
   }
 
@@ -128,61 +134,77 @@ struct Sweep {
     for (int c = 0; c < columns; c += 64 / static_cast<int>(sizeof(P))) __builtin_prefetch(block + c, 1);
   }
 
-  static void sweep(Real* blocks, std::size_t block_count, const Nodes<Real>& from_nodes,
-                    const Nodes<Real>& to_nodes, const Constants<Real>& constants, double time_step,
-                    SweepReport& report) {
-    const Nodes<Real> from = from_nodes, to = to_nodes;
+  static void sweep(const Band<Real>& band, const Nodes<Real>& all_nodes, const Constants<Real>& constants,
+                    double time_step, SweepReport& report) {
+    const Nodes<Real> nodes = all_nodes;
     const Constants<Real> k = constants;
-    const Bounds<Real> inside = bounds(from), inside_next = bounds(to);
     const Real dt = static_cast<Real>(time_step), inverse_dt = static_cast<Real>(1 / time_step);
     Extremes<Real> extremes;
-    extremes.low = reinterpret_cast<const P*>(blocks)[position_y];
-    extremes.high = extremes.low;
+    extremes.low_node = extremes.high_node = reinterpret_cast<const P*>(band.blocks)[node];
     double totals[3] = {};
+    bool broken = false;
+    std::int64_t out_of_step = 0;
     Chunk chunk;
-    for (std::size_t start = 0; start < block_count; start += chunk_blocks) {
+    for (std::size_t start = 0; start < band.count; start += chunk_blocks) {
       const int count =
-          static_cast<int>(block_count - start < chunk_blocks ? block_count - start : chunk_blocks);
-      auto* f = reinterpret_cast<P*>(blocks) + start * columns;
-      for (int b = 0; b < count; ++b) weigh_block(f + b * columns, inside, from.stride, chunk.weights[b]);
-      for (int b = 0; b < count; ++b) {
-        prefetch(f + (chunk_blocks + b) * columns);
-#pragma GCC unroll 4
-        for (int lane = 0; lane < width; ++lane)
-          chunk.seen[b * width + lane] = gather(from, chunk.weights[b], lane);
-      }
+          static_cast<int>(band.count - start < chunk_blocks ? band.count - start : chunk_blocks);
+      auto* const first = reinterpret_cast<P*>(band.blocks) + start * columns;
+      const auto each_block = [&](auto&& update) __attribute__((always_inline)) {
+        P* f = first;
+        for (int b = 0; b < count; ++b, f += columns) update(f, b);
+      };
+      each_block([&](P * f, int b) __attribute__((always_inline)) {
+        weigh(f, chunk.weights[b]);
+        blind(f, chunk.weights[b]);
+        chunk.in_step[b] = in_step<Real>(f[node]);
+      });
       P sums[3] = {};
-      for (int b = 0; b < count; ++b)
-        chunk.gradient[b] =
-            advance(f + b * columns, chunk.seen + b * width, chunk.weights[b], k, dt, extremes, sums);
-      for (int b = 0; b < count; ++b)
-        chunk.strain[b] = strain_of<Real, linear_tension>(f + b * columns, chunk.gradient[b], k);
-      for (int b = 0; b < count; ++b)
-        update_deviator<Real, back_stress_used>(f + b * columns, f + b * columns + back_stress,
-                                                chunk.strain[b], k);
-      for (int b = 0; b < count; ++b)
-        update_pressure<Real, linear_tension>(f + b * columns, chunk.strain[b], k, inverse_dt, extremes);
-      for (int b = 0; b < count; ++b)
-        extremes.broken |= weigh_block(f + b * columns, inside_next, to.stride, chunk.weights[b]);
-      for (int b = 0; b < count; ++b)
-        give(f + b * columns, k, chunk.weights[b], chunk.given + b * width, chunk.mass_y[b]);
+      each_block([&](P * f, int b) __attribute__((always_inline)) {
+        prefetch(f + chunk_blocks * columns);
+        chunk.gradient[b] = chunk.in_step[b] ? advance<true>(f, nodes, chunk.weights[b], k, dt, sums)
+                                             : advance<false>(f, nodes, chunk.weights[b], k, dt, sums);
+      });
+      each_block([&](P * f, int b) __attribute__((always_inline)) {
+        chunk.strain[b] = strain_of<Real, variant>(f, chunk.gradient[b], k);
+      });
+      each_block([&](P * f, int b) __attribute__((always_inline)) {
+        update_deviator<Real, variant>(f, chunk.strain[b], k);
+      });
+      each_block([&](P * f, int b) __attribute__((always_inline)) {
+        update_pressure<Real, variant>(f, chunk.strain[b], k, inverse_dt, extremes);
+      });
+      each_block([&](P * f, int b) __attribute__((always_inline)) {
+        const P shift_x = rounded<Real>(f[position_x]), shift_y = rounded<Real>(f[position_y]);
+        if (__builtin_expect(any((shift_x != 0) | (shift_y != 0)), 0)) {
+          broken |= change_nodes(f, nodes, band.first_row, band.last_row);
+          chunk.in_step[b] = in_step<Real>(f[node]);
+        }
+        extremes.low_node = smaller(extremes.low_node, f[node]);
+        extremes.high_node = larger(extremes.high_node, f[node]);
+        weigh(f, chunk.weights[b]);
+      });
+      each_block([&](P * f, int b) __attribute__((always_inline)) {
+        out_of_step += !chunk.in_step[b];
+        give(f, nodes, chunk.weights[b], k, chunk.in_step[b]);
+      });
       for (int n = 0; n < 3; ++n)
-        for (int lane = 0; lane < width; ++lane) totals[n] += static_cast<double>(sums[n][lane]);
-      scatter_chunk(chunk, count, to);
+        for (int l = 0; l < width; ++l) totals[n] += static_cast<double>(sums[n][l]);
     }
     report.transfer_heat += totals[0];
     report.momentum_x += totals[1];
     report.momentum_y += totals[2];
-    for (int lane = 0; lane < width; ++lane) {
+    report.out_of_step += out_of_step;
+    report.broken |= broken;
+    for (int l = 0; l < width; ++l) {
       const auto raise = [](double& most, double v) { most = v > most ? v : most; };
       const auto lower = [](double& least, double v) { least = v < least ? v : least; };
-      raise(report.largest_signal, extremes.signal[lane]);
-      raise(report.largest_dilation, extremes.high_dilation[lane]);
-      report.overpressed += extremes.overpressed[lane];
-      raise(report.highest, extremes.high[lane]);
-      lower(report.lowest, extremes.low[lane]);
-      lower(report.smallest_dilation, extremes.low_dilation[lane]);
-      report.broken |= extremes.broken[lane] != 0;
+      raise(report.largest_signal, extremes.signal[l]);
+      raise(report.largest_dilation, extremes.high_dilation[l]);
+      report.overpressed += extremes.overpressed[l];
+      raise(report.highest_node, extremes.high_node[l]);
+      lower(report.lowest_node, extremes.low_node[l]);
+      lower(report.smallest_dilation, extremes.low_dilation[l]);
+      report.broken |= extremes.broken[l] != 0;
     }
   }
 };

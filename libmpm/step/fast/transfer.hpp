@@ -1,90 +1,149 @@
 #pragma once
-/// Grid to particle and particle to grid, one particle at a time, with the four components of a node as
-/// lanes. Sums are those of p2g.hpp and g2p.hpp, axis by axis: weights are products of one-dimensional
-/// functions.
+/// Grid to particles and particles to grid, for a pack of particles at a time. Sums are those of p2g.hpp and
+/// g2p.hpp, axis by axis: weights are products of one-dimensional functions.
+///
+/// A pack is in step with the grid when its particles belong to neighbouring cells of a row, one each, in
+/// order, beginning at a group of nodes (Blocks::sort makes most of them so). Then the nodes that its lanes
+/// ask for lie in two neighbouring groups, and are read as packs. Where a pack is not in step, each lane
+/// fetches its own. What a pack gives goes to one of three sums of each node, by column of the stencil, at
+/// the lower left node: then neighbouring packs in step never touch the same numbers, and collect_nodes()
+/// adds the three.
 #include "libmpm/step/fast/kernels.hpp"
 #include "libmpm/step/fast/lanes.hpp"
 #include "libmpm/step/fast/weights.hpp"
 
 namespace mpm::fast::MPM_ISA {
 
+/// Whether the stencils of a pack start at the nodes of one group.
 template <class Real>
-MPM_INLINE const Real* of_lane(const Pack<Real>& pack, int lane) {
-  return reinterpret_cast<const Real*>(&pack) + lane;
+MPM_INLINE bool in_step(Pack<Real> node) {
+  const auto first = static_cast<std::ptrdiff_t>(node[0]);
+  return first % Lanes<Real>::width == 0 && !any(node - Lanes<Real>::numbers != all(node[0]));
 }
 
-/// What a particle sees of the grid. N = (v_x, v_y, dv_x, dv_y) of a node.
+/// What a pack sees of a component of the nodes: N, dN/dxi, dN/deta.
 template <class Real>
 struct Seen {
-  Quad<Real> value;    ///< sum w N
-  Quad<Real> along_x;  ///< sum (dw/dxi) N
-  Quad<Real> along_y;  ///< sum (dw/deta) N
-  Quad<Real> squares;  ///< sum over rows of |dv|^2, column by column; the fourth is foreign
+  Pack<Real> value, along_x, along_y;
 };
 
-/// What a particle gives to the grid.
+/// The nodes of a pack: reader(c, j, out) fetches component c in row j of the stencils, column by column.
+template <class Real, bool packs_in_step>
+struct Reader;
+
 template <class Real>
-struct Given {
-  Quad<Real> by_weight;   ///< (m v_x, m v_y) for w and -V (s_xy, s_yy) / (rho0 hy) for dw/deta
-  Quad<Real> by_slope_x;  ///< (0, 0) and -V (s_xx, s_xy) / (rho0 hx) for dw/dxi
-  Quad<Real> weight_x;    ///< weights of the three columns, 0
+struct Reader<Real, true> {
+  const Real* row[3];
+
+  MPM_INLINE Reader(const Nodes<Real>& n, const Pack<Real>& node) {
+    row[0] = n.motion + motion_components * static_cast<std::ptrdiff_t>(node[0]);
+    row[1] = row[0] + motion_components * static_cast<std::ptrdiff_t>(n.stride);
+    row[2] = row[1] + motion_components * static_cast<std::ptrdiff_t>(n.stride);
+  }
+  MPM_INLINE void operator()(int component, int j, Pack<Real>* column) const {
+    const auto* const group = reinterpret_cast<const Pack<Real>*>(row[j]) + component;
+    columns_of(group[0], group[motion_components], column);
+  }
 };
 
 template <class Real>
-MPM_INLINE Seen<Real> gather(Nodes<Real> nodes, const PackWeights<Real>& w, int lane) {
-  const Real* motion = nodes.motion + 4 * static_cast<std::ptrdiff_t>(w.first[lane]);
-  const Real* square = nodes.square + w.first[lane];
-  const Quad<Real> x0 = repeat<Real>(of_lane<Real>(w.x[0], lane)),
-                   x1 = repeat<Real>(of_lane<Real>(w.x[1], lane)),
-                   x2 = repeat<Real>(of_lane<Real>(w.x[2], lane));
-  const Quad<Real> s0 = repeat<Real>(of_lane<Real>(w.slope_x[0], lane)),
-                   s1 = repeat<Real>(of_lane<Real>(w.slope_x[1], lane)),
-                   s2 = repeat<Real>(of_lane<Real>(w.slope_x[2], lane));
-  Seen<Real> seen;
+struct Reader<Real, false> {
+  const Real* motion;
+  std::ptrdiff_t to_row;
+  std::int32_t at[3][Lanes<Real>::width];  ///< of the columns of the lowest row
+
+  MPM_INLINE Reader(const Nodes<Real>& n, const Pack<Real>& node)
+      : motion(n.motion), to_row(motion_components * static_cast<std::ptrdiff_t>(n.stride)) {
+    for (int l = 0; l < Lanes<Real>::width; ++l)
+      for (int i = 0; i < 3; ++i)
+        at[i][l] = static_cast<std::int32_t>(Nodes<Real>::motion_at(static_cast<std::int32_t>(node[l]) + i));
+  }
+  MPM_INLINE void operator()(int component, int j, Pack<Real>* column) const {
+    const Real* const from = motion + j * to_row + component * Lanes<Real>::width;
+    for (int i = 0; i < 3; ++i) column[i] = fetched(from, at[i]);
+  }
+};
+
+template <class Real, bool packs_in_step>
+MPM_INLINE Seen<Real> see(const Reader<Real, packs_in_step>& nodes, int component,
+                          const PackWeights<Real>& w) {
+  using P = Pack<Real>;
+  P value[3], slope[3];
 #pragma GCC unroll 3
   for (int j = 0; j < 3; ++j) {
-    const auto* row = reinterpret_cast<const Quad<Real>*>(motion + 4 * j * nodes.stride);
-    const Quad<Real> a = row[0], b = row[1], c = row[2];
-    const Quad<Real> value = x0 * a + x1 * b + x2 * c, slope = s0 * a + s1 * b + s2 * c;
-    const Quad<Real> y = repeat<Real>(of_lane<Real>(w.y[j], lane)),
-                     slope_y = repeat<Real>(of_lane<Real>(w.slope_y[j], lane));
-    const Quad<Real> squares = y * load_quad(square + j * nodes.stride);
-    if (j == 0) {
-      seen.value = y * value, seen.along_x = y * slope, seen.along_y = slope_y * value,
-      seen.squares = squares;
-    } else {
-      seen.value += y * value, seen.along_x += y * slope, seen.along_y += slope_y * value,
-          seen.squares += squares;
-    }
+    P n[3];
+    nodes(component, j, n);
+    value[j] = w.x[0] * n[0] + w.x[1] * n[1] + w.x[2] * n[2];
+    slope[j] = w.slope_x[0] * n[0] + w.slope_x[1] * n[1] + w.slope_x[2] * n[2];
   }
-  return seen;
+  return {w.y[0] * value[0] + w.y[1] * value[1] + w.y[2] * value[2],
+          w.y[0] * slope[0] + w.y[1] * slope[1] + w.y[2] * slope[2],
+          w.slope_y[0] * value[0] + w.slope_y[1] * value[1] + w.slope_y[2] * value[2]};
 }
 
-/// `mass_y`: mass times the weight of each row, one pack a row.
+/// What a pack gives to the grid: mass, momentum, and -V s / (rho0 h) for each slope.
 template <class Real>
-MPM_INLINE void scatter(Nodes<Real> nodes, const PackWeights<Real>& w, int lane, const Given<Real>& given,
-                        const Pack<Real>* mass_y) {
-  Real* motion = nodes.motion + 4 * static_cast<std::ptrdiff_t>(w.first[lane]);
-  Real* mass = nodes.mass + w.first[lane];
-  const Quad<Real> x0 = repeat<Real>(of_lane<Real>(w.x[0], lane)),
-                   x1 = repeat<Real>(of_lane<Real>(w.x[1], lane)),
-                   x2 = repeat<Real>(of_lane<Real>(w.x[2], lane));
-  const Quad<Real> s0 = repeat<Real>(of_lane<Real>(w.slope_x[0], lane)),
-                   s1 = repeat<Real>(of_lane<Real>(w.slope_x[1], lane)),
-                   s2 = repeat<Real>(of_lane<Real>(w.slope_x[2], lane));
+struct Given {
+  Pack<Real> mass, momentum_x, momentum_y, xx_by_x, xy_by_x, xy_by_y, yy_by_y;
+};
+
+/// What a pack gives to row j: by column of the stencil, its sums.
+template <class Real>
+struct GivenToRow {
+  Pack<Real> mass, momentum_x, momentum_y, xx_by_x, xy_by_x, xy_by_y, yy_by_y;
+  MPM_INLINE GivenToRow(const Given<Real>& g, const PackWeights<Real>& w, int j)
+      : mass(w.y[j] * g.mass),
+        momentum_x(w.y[j] * g.momentum_x),
+        momentum_y(w.y[j] * g.momentum_y),
+        xx_by_x(w.y[j] * g.xx_by_x),
+        xy_by_x(w.y[j] * g.xy_by_x),
+        xy_by_y(w.slope_y[j] * g.xy_by_y),
+        yy_by_y(w.slope_y[j] * g.yy_by_y) {}
+};
+
+template <class Real>
+MPM_INLINE void add_in_step(const Nodes<Real>& nodes, const Pack<Real>& node, const PackWeights<Real>& w,
+                            const Given<Real>& given) {
+  using P = Pack<Real>;
+  constexpr int entries = 3 * sum_components;
+  Real* const first = nodes.sums + entries * static_cast<std::ptrdiff_t>(node[0]);
 #pragma GCC unroll 3
   for (int j = 0; j < 3; ++j) {
-    auto* row = reinterpret_cast<Quad<Real>*>(motion + 4 * j * nodes.stride);
-    const Quad<Real> y = repeat<Real>(of_lane<Real>(w.y[j], lane)),
-                     slope_y = repeat<Real>(of_lane<Real>(w.slope_y[j], lane));
-    const Quad<Real> p = __builtin_shufflevector(y, slope_y, 0, 1, 6, 7) * given.by_weight;
-    const Quad<Real> q = y * given.by_slope_x;
-    row[0] += x0 * p + s0 * q;
-    row[1] += x1 * p + s1 * q;
-    row[2] += x2 * p + s2 * q;
-    Real* masses = mass + j * nodes.stride;
-    store_quad<Real>(masses,
-                     load_quad(masses) + repeat<Real>(of_lane<Real>(mass_y[j], lane)) * given.weight_x);
+    const GivenToRow<Real> g(given, w, j);
+    P* const sums = reinterpret_cast<P*>(first + j * entries * static_cast<std::ptrdiff_t>(nodes.stride));
+#pragma GCC unroll 3
+    for (int i = 0; i < 3; ++i) {
+      const P x = w.x[i], slope = w.slope_x[i];
+      sums[3 * node_mass + i] += x * g.mass;
+      sums[3 * momentum_of_x + i] += x * g.momentum_x;
+      sums[3 * momentum_of_y + i] += x * g.momentum_y;
+      sums[3 * force_of_x + i] = x * g.xy_by_y + (slope * g.xx_by_x + sums[3 * force_of_x + i]);
+      sums[3 * force_of_y + i] = x * g.yy_by_y + (slope * g.xy_by_x + sums[3 * force_of_y + i]);
+    }
+  }
+}
+
+template <class Real>
+MPM_INLINE void add_one_by_one(const Nodes<Real>& nodes, const Pack<Real>& node, const PackWeights<Real>& w,
+                               const Given<Real>& given) {
+  using P = Pack<Real>;
+  constexpr int width = Lanes<Real>::width, entries = 3 * sum_components;
+  for (int j = 0; j < 3; ++j) {
+    const GivenToRow<Real> g(given, w, j);
+    P sums[entries];
+    for (int i = 0; i < 3; ++i) {
+      const P x = w.x[i], slope = w.slope_x[i];
+      sums[3 * node_mass + i] = x * g.mass;
+      sums[3 * momentum_of_x + i] = x * g.momentum_x;
+      sums[3 * momentum_of_y + i] = x * g.momentum_y;
+      sums[3 * force_of_x + i] = x * g.xy_by_y + slope * g.xx_by_x;
+      sums[3 * force_of_y + i] = x * g.yy_by_y + slope * g.xy_by_x;
+    }
+    for (int l = 0; l < width; ++l) {
+      Real* const to = nodes.sums + Nodes<Real>::sum_at(static_cast<std::int32_t>(node[l]) +
+                                                        j * static_cast<std::ptrdiff_t>(nodes.stride));
+      for (int e = 0; e < entries; ++e) to[e * width] += reinterpret_cast<const Real*>(sums)[e * width + l];
+    }
   }
 }
 

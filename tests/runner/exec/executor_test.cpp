@@ -5,9 +5,11 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <map>
 #include <mutex>
+#include <thread>
 
 #include "tests/runner/fakes.hpp"
 
@@ -85,6 +87,26 @@ TEST_F(ExecutorTest, writes_snapshots_and_measures) {
   }
   EXPECT_GE(job.wall_s, 0);
   EXPECT_GE(job.cpu_s, 0);
+}
+
+TEST_F(ExecutorTest, threads_without_a_job_help_the_last_one) {
+  std::atomic<bool> first_done{false}, helped{false};
+  std::atomic<int> most_with_jobs_left{0};
+  const auto simulate = [&](const mpm::Scene& scene, mpm::Observer& observer) {
+    if (scene.cavity_radius == 1e-6) {  // job 1, the longest: ends only when all others are gone
+      while (observer.threads() < 4) std::this_thread::yield();
+      helped = first_done.load();
+    } else {
+      most_with_jobs_left = std::max(most_with_jobs_left.load(), observer.threads());
+      first_done = true;
+    }
+    return fake(scene, observer);
+  };
+  std::vector<Job> jobs = {fakes::job(1, 9)};
+  for (int n = 2; n <= 12; ++n) jobs.push_back(fakes::job(n, 1));
+  EXPECT_EQ(run(jobs, simulate, 4).done, 12);
+  EXPECT_TRUE(helped);
+  EXPECT_LE(most_with_jobs_left, 2);  // 4 threads, at least two jobs
 }
 
 TEST_F(ExecutorTest, a_failing_job_does_not_stop_the_others) {

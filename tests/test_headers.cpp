@@ -1,0 +1,1 @@
+// Has only the headers that the test programs share, precompiled.
