@@ -1,5 +1,7 @@
 #include "runner/finish/evidence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -78,6 +80,14 @@ std::optional<double> Evidence::metric(const std::string& study, const std::stri
 std::vector<double> Evidence::collapsibilities(const std::string& study, const std::string& order) const {
   return numbers(study,
                  "SELECT collapsibility FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY " + order);
+}
+
+std::string Evidence::largest_interval(const std::string& study) const {
+  const auto share =
+      number(study,
+             "SELECT max(extrapolated_error / extrapolated_value) FROM accuracy WHERE study = ?1 "
+             "AND quantity = 'collapsibility'");
+  return share ? fmt::format("; intervals of at most {:.1f} %", 100 * *share) : "";
 }
 
 std::vector<HotSpot> Evidence::hot_spots(const std::string& study) const {

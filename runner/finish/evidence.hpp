@@ -33,6 +33,9 @@ class Evidence {
                               const std::string& condition = "1") const;
   /// Collapsibility of all done jobs, in the order of a column of the view `jobs`.
   std::vector<double> collapsibilities(const std::string& study, const std::string& order) const;
+  /// "; intervals of at most 1.2 %": of the collapsibilities for cells of size 0; empty without several
+  /// cells.
+  std::string largest_interval(const std::string& study) const;
   /// Of the study's first done job, one a snapshot, in order of time.
   std::vector<HotSpot> hot_spots(const std::string& study) const;
 

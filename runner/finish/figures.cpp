@@ -54,7 +54,7 @@ void add_extrapolated(const Study& study, const StudyResults& results, const Fig
   const std::string y = "critical_speed_extrapolated";
   const auto fit =
       std::ranges::find_if(study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == y; });
-  const auto families = group_jobs(study, results, curve_of(request.x, y));
+  const auto families = group_jobs(study, results, curve_of(study, request.x, y));
   for (const Group& family : families) {
     Column c = column_of(results, family, request.x, y);
     if (c.x.empty()) continue;
@@ -72,7 +72,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   plot.footer = footer_of(results);
   plot.x = analysis::named_quantity(request.x, mpm::find_quantity(request.x)->unit);
   plot.y = analysis::named_quantity(request.y, unit_of(results, request.y));
-  const auto groups = group_jobs(study, results, curve_of(request.x, request.y));
+  const auto groups = group_jobs(study, results, curve_of(study, request.x, request.y));
   for (const Group& group : groups) {
     Column c = column_of(results, group, request.x, request.y);
     if (c.x.empty()) continue;

@@ -45,7 +45,7 @@ Fits fit_study(const Study& study, const StudyResults& results) {
   for (const FitRequest& request : study.fits) {
     const std::string y_unit = unit_of(results, request.y);
     const std::string_view x_unit = mpm::find_quantity(request.x)->unit;
-    for (const Group& group : group_jobs(study, results, curve_of(request.x, request.y))) {
+    for (const Group& group : group_jobs(study, results, curve_of(study, request.x, request.y))) {
       const Column c = column_of(results, group, request.x, request.y);
       if (c.x.empty() && study.search) continue;  // extrapolated values stand on the finest cell alone
       const analysis::Fit fit = fit_column(request, c);

@@ -108,7 +108,14 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
   if (name == "critical_speed") return job.critical;
   if (name == "critical_speed_extrapolated") return job.extrapolated;
   Rows rows;
-  if (is_job_column(name)) {
+  if (constexpr std::string_view suffix = "_extrapolated"; name.ends_with(suffix)) {
+    const SqlValue parameters[] = {job.key, results.study, name.substr(0, name.size() - suffix.size())};
+    rows =
+        query(results.folder,
+              "SELECT extrapolated_value, extrapolated_error FROM accuracy WHERE key = ?1 AND study = ?2 AND "
+              "quantity = ?3",
+              parameters);
+  } else if (is_job_column(name)) {
     std::string error = "NULL";
     for (const auto& [column, error_column] : job_errors)
       if (name == column) error = error_column;
@@ -167,7 +174,10 @@ std::vector<Group> group_jobs(const Study& study, const StudyResults& results,
   return groups;
 }
 
-std::vector<std::string> curve_of(const std::string& x, const std::string& y) {
+std::vector<std::string> curve_of(const Study& study, const std::string& x, const std::string& y) {
+  std::set<double> places;
+  for (const mpm::Scene& scene : study.scenes) places.insert(mpm::find_quantity(x)->get(scene));
+  if (places.size() == study.scenes.size()) return study.swept;
   if (y == "critical_speed_extrapolated") return {x, "cell_size"};
   return {x};
 }

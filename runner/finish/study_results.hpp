@@ -38,8 +38,9 @@ struct StudyResults {
 /// Throws CatalogError if there is no catalog.
 StudyResults read_results(const Study&, const std::filesystem::path& results);
 
-/// A result column of the view `jobs`, a name of the view `metrics`, or `critical_speed` and
-/// `critical_speed_extrapolated` of a search; empty where the job has none.
+/// A result column of the view `jobs`, a name of the view `metrics`, `critical_speed` and
+/// `critical_speed_extrapolated` of a search, or `collapsibility_extrapolated` of several cells (view
+/// `accuracy`); empty where the job has none.
 std::optional<Measured> result_of(const StudyResults&, const JobResults&, const std::string& name);
 /// SI unit of such a name: that of the metric, or what the column's name ends in.
 std::string unit_of(const StudyResults&, const std::string& name);
@@ -55,8 +56,8 @@ struct Group {
 };
 /// Groups by all that the study sweeps apart from `within`; without any, every job is a group.
 std::vector<Group> group_jobs(const Study&, const StudyResults&, const std::vector<std::string>& within);
-/// What a group may differ in for a curve of `y` against `x`: what is extrapolated to cells of size 0 is of
-/// no cell.
-std::vector<std::string> curve_of(const std::string& x, const std::string& y);
+/// What jobs on one curve of `y` against `x` differ in: x; cells, where y is extrapolated from them;
+/// everything, where no two scenes have the same x (mode = "zip").
+std::vector<std::string> curve_of(const Study&, const std::string& x, const std::string& y);
 
 }  // namespace mpmstudy

@@ -17,7 +17,7 @@ int Lattice::index(double v) const {
   return static_cast<int>(std::clamp(i, 0.0, static_cast<double>(intervals)));
 }
 
-BracketSearch::BracketSearch(int intervals, std::optional<Bracket> guess)
+BracketSearch::BracketSearch(int intervals, std::optional<Guess> guess)
     : intervals_(intervals), guess_(guess) {}
 
 void BracketSearch::tell(int index, Verdict verdict, double distance) {
@@ -39,18 +39,16 @@ std::vector<int> BracketSearch::outwards() const {
   const int low = told_.begin()->first, high = told_.rbegin()->first;
   const bool above =
       std::ranges::any_of(told_, [](const auto& t) { return t.second.verdict == Verdict::above; });
-  const int step = std::max(2, high - low);
+  const int step = std::max(guess_ ? guess_->step : 2, high - low);
   const int next = above ? std::max(0, low - step) : std::min(intervals_, high + step);
   return known(next) ? std::vector<int>{} : std::vector<int>{next};
 }
 
-/// Where the line through the distances of the two ends changes sign; empty: ask the middle.
-std::optional<int> BracketSearch::crossing(const Bracket& ends) const {
+int BracketSearch::between(const Bracket& ends) const {
   const double below = told_.at(ends.lower).distance, above = told_.at(ends.upper).distance;
-  if (below + above == 0 || told_.size() % 3 == 1) return std::nullopt;
-  const double at = ends.lower + (ends.upper - ends.lower) * below / (below + above);
-  const int index = std::clamp(static_cast<int>(std::lround(at)), ends.lower + 1, ends.upper - 1);
-  return known(index) ? std::nullopt : std::optional(index);
+  const double share = below + above > 0 ? below / (below + above) : 0.5;
+  const double at = ends.lower + (ends.upper - ends.lower) * 0.5 * (share + 0.5);
+  return std::clamp(static_cast<int>(std::lround(at)), ends.lower + 1, ends.upper - 1);
 }
 
 /// Evenly spaced between the ends; values that broke are passed over.
@@ -69,13 +67,14 @@ std::vector<int> BracketSearch::inwards(int low, int high, int most) const {
 std::vector<int> BracketSearch::next(int most) const {
   if (const auto found = bracket()) {
     if (most == 1 && found->upper - found->lower > 1)
-      if (const auto index = crossing(*found)) return {*index};
+      if (const int index = between(*found); !known(index)) return {index};
     return inwards(found->lower, found->upper, std::max(1, most));
   }
   if (!told_.empty()) return outwards();
   if (!guess_) return inwards(-1, intervals_ + 1, std::max(3, most));
-  const int low = std::clamp(guess_->lower, 0, intervals_ - 1);
-  return {low, std::clamp(guess_->upper, low + 1, intervals_)};
+  const int at = std::clamp(guess_->at, 0, intervals_);
+  if (most == 1) return {at};
+  return {std::max(0, at - (guess_->step + 1) / 2), std::min(intervals_, at + (guess_->step + 1) / 2)};
 }
 
 std::string BracketSearch::flags(const Lattice& lattice) const {

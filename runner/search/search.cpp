@@ -61,29 +61,24 @@ std::optional<double> Search::found_at(std::size_t family, double along, double 
   return std::nullopt;
 }
 
-/// Where to begin. With two coarser cells of the same point: between the finer of them and where the straight
-/// line through both has this cell (first order); critical values shift by less than that. With one: around
-/// it. On the coarsest cell: around the straight line between the neighbours that are found.
-std::optional<Bracket> Search::guess(const Entry& entry) const {
-  constexpr double around = 2;
-  const auto between = [](double a, double b) {
-    const auto [low, high] = std::minmax(a, b);
-    const double widen = std::max(0.0, around - (high - low)) / 2;
-    return Bracket{static_cast<int>(std::floor(low - widen)), static_cast<int>(std::ceil(high + widen))};
-  };
+/// Where to begin: where the next coarser cell has it; the line through two coarser cells was no better
+/// (critical speeds scatter about any line in the cell). On the coarsest cell: on the straight line between
+/// the neighbours that are found. The step is what was seen to be left: a thirtieth, or half of what the
+/// cells before differ by.
+std::optional<Guess> Search::guess(const Entry& entry) const {
   const SearchPoint& p = entry.point;
-  std::vector<std::pair<double, double>> coarser;  // cell, index; coarse first
+  const auto begin = [this](double at, double last_change) {
+    const double value = lattice_.lower + (lattice_.upper - lattice_.lower) * at / lattice_.intervals;
+    const double share = value / 30 / (lattice_.upper - lattice_.lower) * lattice_.intervals;
+    return Guess{static_cast<int>(std::lround(at)),
+                 static_cast<int>(std::lround(std::max({2.0, share, 0.5 * std::abs(last_change)})))};
+  };
+  std::vector<double> coarser;  // indices, coarse first
   for (const Entry& e : entries_)
-    if (e.point.cell > p.cell)
-      if (const auto middle = found_at(p.family, p.along, e.point.cell);
-          middle && e.point.family == p.family && e.point.along == p.along)
-        coarser.emplace_back(e.point.cell, *middle);
-  if (coarser.size() == 1) return between(coarser[0].second - around, coarser[0].second + around);
-  if (coarser.size() > 1) {
-    const auto [h1, y1] = coarser[coarser.size() - 2];
-    const auto [h2, y2] = coarser.back();
-    return between(y2, y2 + (y2 - y1) * (h2 - p.cell) / (h1 - h2));
-  }
+    if (e.point.cell > p.cell && e.point.family == p.family && e.point.along == p.along)
+      if (const auto middle = found_at(p.family, p.along, e.point.cell)) coarser.push_back(*middle);
+  if (coarser.size() == 1) return begin(coarser[0], 0);
+  if (coarser.size() > 1) return begin(coarser.back(), coarser.back() - coarser[coarser.size() - 2]);
   std::optional<std::pair<double, double>> left, right;
   for (const Entry& e : entries_) {
     if (e.point.family != p.family || e.point.cell != p.cell) continue;
@@ -93,9 +88,9 @@ std::optional<Bracket> Search::guess(const Entry& entry) const {
     if (e.point.along > p.along && (!right || e.point.along < right->first)) right = {e.point.along, *middle};
   }
   if (!left || !right) return std::nullopt;
-  const double line =
-      left->second + (right->second - left->second) * (p.along - left->first) / (right->first - left->first);
-  return between(line - around, line + around);
+  return begin(
+      left->second + (right->second - left->second) * (p.along - left->first) / (right->first - left->first),
+      0);
 }
 
 /// Starts the searches whose guesses are there. On the coarsest cell both ends of the axis begin without one,

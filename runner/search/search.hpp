@@ -54,7 +54,7 @@ class Search {
   };
   mpm::Scene scene_at(const Entry&, int index) const;
   void start_ready();
-  std::optional<Bracket> guess(const Entry&) const;
+  std::optional<Guess> guess(const Entry&) const;
   std::optional<double> found_at(std::size_t family, double along, double cell) const;
 
   const mpm::Quantity* critical_;
