@@ -138,6 +138,10 @@ TEST(Extrapolate, IsExactForFirstOrderAndCoversTheWayAndTheWidths) {
   const CellBracket wild[] = {{0.4, 500, 500}, {0.2, 510, 510}, {0.1, 540, 540}};
   EXPECT_NEAR(extrapolate(wild)->value, 540, 1e-9);
   EXPECT_NEAR(extrapolate(wild)->interval, 30, 1e-9);
+  // Cells that turn: the finest, and all that they differ by.
+  const CellBracket turning[] = {{0.4, 500, 500}, {0.2, 450, 450}, {0.1, 480, 480}};
+  EXPECT_NEAR(extrapolate(turning)->value, 480, 1e-9);
+  EXPECT_NEAR(extrapolate(turning)->interval, 50, 1e-9);
 }
 
 }  // namespace
