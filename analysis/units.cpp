@@ -52,7 +52,6 @@ constexpr std::array names = {
     Named{"cell_size", "Cell size", "h", "m"},
     Named{"end_time", "End time", "t", "s"},
     Named{"collapsibility", "Collapsibility", "Φ", "1"},
-    Named{"collapsibility_extrapolated", "Collapsibility, h → 0", "Φ", "1"},
     Named{"area", "Cavity area", "A", "m^2"},
     Named{"void_area", "Void area", "A", "m^2"},
     Named{"initial_area", "Initial cavity area", "A", "m^2"},

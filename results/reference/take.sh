@@ -10,7 +10,7 @@ ask provenance "SELECT './reproduce.sh --full' AS command, git_revision, physics
   sum(cpu_s) AS cpu_s FROM jobs WHERE status = 'done' GROUP BY git_revision, physics_version"
 ask claims "SELECT name, study, verdict, measured FROM claims"
 ask collapsibility "SELECT a.study, j.position, j.cell_size_m, j.cavity_radius_m, j.yield_stress_Pa, a.value, a.error,
-  a.extrapolated_value, a.extrapolated_error, a.observed_order, a.method FROM accuracy a JOIN jobs j ON j.key = a.key AND
+  a.extrapolated_value, a.extrapolated_error, a.measuring_error, a.observed_order, a.method FROM accuracy a JOIN jobs j ON j.key = a.key AND
   j.study = a.study WHERE a.quantity = 'collapsibility' ORDER BY a.study, j.position"
 ask one-cell "SELECT study, position, cell_size_m, block_height_m, cavity_center_height_m, collapsibility, collapsibility_error
   FROM jobs WHERE study IN ('symmetry', 'block-height') AND status = 'done' ORDER BY study, position"

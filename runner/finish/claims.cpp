@@ -228,14 +228,12 @@ Claim falls_with_yield(const Evidence& e) {
                   "collapsibility-yield");
   const auto phi = e.collapsibilities(c.study, "yield_stress_Pa");
   const auto r2 =
-      e.number(c.study,
-               "SELECT r2 FROM fits WHERE study = ?1 AND quantity LIKE 'collapsibility%' ORDER BY "
-               "quantity DESC LIMIT 1");
+      e.number(c.study, "SELECT r2 FROM fits WHERE study = ?1 AND quantity = 'collapsibility' LIMIT 1");
   if (phi.size() > 1 && r2)
     judge(c, std::ranges::is_sorted(phi, std::greater<>()) && *r2 > 0.99,
           fmt::format("{:.3f} to {:.3f}; parabola with r2 = {:.4f}", phi.front(), phi.back(), *r2) +
               e.largest_interval(c.study),
-          "the curve for cells of size 0");
+          "");
   return c;
 }
 

@@ -83,10 +83,9 @@ std::vector<double> Evidence::collapsibilities(const std::string& study, const s
 }
 
 std::string Evidence::largest_interval(const std::string& study) const {
-  const auto share =
-      number(study,
-             "SELECT max(extrapolated_error / extrapolated_value) FROM accuracy WHERE study = ?1 "
-             "AND quantity = 'collapsibility'");
+  const auto share = number(study,
+                            "SELECT max(error / value) FROM accuracy WHERE study = ?1 "
+                            "AND quantity = 'collapsibility'");
   return share ? fmt::format("; intervals of at most {:.1f} %", 100 * *share) : "";
 }
 

@@ -108,14 +108,7 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
   if (name == "critical_speed") return job.critical;
   if (name == "critical_speed_extrapolated") return job.extrapolated;
   Rows rows;
-  if (constexpr std::string_view suffix = "_extrapolated"; name.ends_with(suffix)) {
-    const SqlValue parameters[] = {job.key, results.study, name.substr(0, name.size() - suffix.size())};
-    rows =
-        query(results.folder,
-              "SELECT extrapolated_value, extrapolated_error FROM accuracy WHERE key = ?1 AND study = ?2 AND "
-              "quantity = ?3",
-              parameters);
-  } else if (is_job_column(name)) {
+  if (is_job_column(name)) {
     std::string error = "NULL";
     for (const auto& [column, error_column] : job_errors)
       if (name == column) error = error_column;

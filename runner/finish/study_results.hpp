@@ -38,9 +38,8 @@ struct StudyResults {
 /// Throws CatalogError if there is no catalog.
 StudyResults read_results(const Study&, const std::filesystem::path& results);
 
-/// A result column of the view `jobs`, a name of the view `metrics`, `critical_speed` and
-/// `critical_speed_extrapolated` of a search, or `collapsibility_extrapolated` of several cells (view
-/// `accuracy`); empty where the job has none.
+/// A result column of the view `jobs`, a name of the view `metrics`, or `critical_speed` and
+/// `critical_speed_extrapolated` of a search; empty where the job has none.
 std::optional<Measured> result_of(const StudyResults&, const JobResults&, const std::string& name);
 /// SI unit of such a name: that of the metric, or what the column's name ends in.
 std::string unit_of(const StudyResults&, const std::string& name);

@@ -20,7 +20,6 @@ constexpr std::array<std::string_view, 4> outcomes = {"collapsed", "partial", "e
 /// Numbers of the catalog's view `jobs`, and what libmpm/measure/ writes as metrics; the test of this list
 /// runs scenes and looks for their metrics here and in runner/catalog/README.md.
 constexpr std::string_view results[] = {"collapsibility",
-                                        "collapsibility_extrapolated",
                                         "final_area_m2",
                                         "initial_area_m2",
                                         "energy_error",
@@ -86,8 +85,7 @@ constexpr std::string_view fields[] = {"velocity_x",   "velocity_y",
                                        "temperature"};
 
 /// Of these, what a run was given, what it cost, extremes of its health, and what is an error itself.
-constexpr std::string_view without_interval[] = {"collapsibility_extrapolated",
-                                                 "initial_area_m2",
+constexpr std::string_view without_interval[] = {"initial_area_m2",
                                                  "area_difference_m2",
                                                  "particles",
                                                  "steps",
