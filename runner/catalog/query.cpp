@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <string_view>
 
 #include "runner/catalog/catalog_error.hpp"
@@ -18,6 +19,10 @@ constexpr std::array<std::string_view, 4> readable_pragmas = {"table_info", "tab
                                                               "function_list"};
 constexpr std::array<std::string_view, 3> refused_functions = {"load_extension", "fts3_tokenizer",
                                                                "sqlite_compileoption_get"};
+
+constexpr int largest_value = 16 << 20;  ///< of a text or a blob [bytes]
+constexpr int longest_pattern = 500;     ///< of LIKE and GLOB: how long they take grows with it
+constexpr int operations_between_looks = 10'000;
 
 bool contains(auto& words, const char* word) {
   return word != nullptr && std::ranges::any_of(words, [&](std::string_view w) {
@@ -48,6 +53,8 @@ void lock_down(SQLite::Database& db) {
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, largest_value);
+  sqlite3_limit(handle, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, longest_pattern);
   sqlite3_set_authorizer(handle, allow_reading, nullptr);
 }
 
@@ -57,7 +64,23 @@ struct Finalize {
 };
 using Prepared = std::unique_ptr<sqlite3_stmt, Finalize>;
 
+/// Interrupts a statement that goes on for too long.
+class TimeLimit {
+ public:
+  TimeLimit(sqlite3* handle, double seconds)
+      : end_(Clock::now() +
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {
+    if (seconds > 0) sqlite3_progress_handler(handle, operations_between_looks, is_over, this);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static int is_over(void* self) { return Clock::now() > static_cast<TimeLimit*>(self)->end_; }
+  Clock::time_point end_;
+};
+
 [[noreturn]] void refuse(sqlite3* handle, int code) {
+  if (code == SQLITE_INTERRUPT) throw CatalogError("query: it took too long");
   if (code == SQLITE_AUTH)
     throw CatalogError("query: " + std::string(sqlite3_errmsg(handle)) +
                        ": only reading is allowed (SELECT over the views; see runner/catalog/README.md)");
@@ -127,9 +150,10 @@ std::size_t Rows::column(const std::string& name) const {
 }
 
 void query(const std::filesystem::path& results, const std::string& sql, RowSink& sink,
-           std::span<const SqlValue> parameters) {
+           std::span<const SqlValue> parameters, double most_seconds) {
   const auto db = open_for_reading(results);
   lock_down(*db);
+  const TimeLimit limit(db->getHandle(), most_seconds);
   const auto statement = prepare(db->getHandle(), sql);
   for (std::size_t i = 0; i < parameters.size(); ++i)
     bind(statement.get(), static_cast<int>(i) + 1, parameters[i]);

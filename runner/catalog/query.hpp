@@ -35,9 +35,10 @@ struct Rows : RowSink {
 };
 
 /// One statement over a catalog, in one consistent view of it. `parameters` take the places of ?1, ?2, ...
-/// Throws CatalogError: no catalog, an error in the SQL, more than one statement, anything that would write.
+/// Throws CatalogError: no catalog, an error in the SQL, more than one statement, anything that would write,
+/// a text of more than 16 MB, more than most_seconds (0: no limit).
 void query(const std::filesystem::path& results, const std::string& sql, RowSink&,
-           std::span<const SqlValue> parameters = {});
+           std::span<const SqlValue> parameters = {}, double most_seconds = 0);
 Rows query(const std::filesystem::path& results, const std::string& sql,
            std::span<const SqlValue> parameters = {});
 

@@ -93,23 +93,26 @@ CatalogState read_state(const std::filesystem::path& results, const std::vector<
   return state;
 }
 
-std::optional<double> measured_updates_per_second(const std::filesystem::path& results) {
+std::vector<CostSample> measured_costs(const std::filesystem::path& results) {
+  std::vector<CostSample> samples;
   std::error_code ignored;
-  if (!std::filesystem::exists(catalog_path(results), ignored)) return std::nullopt;
+  if (!std::filesystem::exists(catalog_path(results), ignored)) return samples;
   try {
     const auto db = open_for_reading(results);
-    SQLite::Statement sum(*db,
-                          "SELECT total(CAST(particles AS REAL) * steps), total(cpu_s) FROM job "
-                          "WHERE status = 'done' AND host = ?");
-    sum.bind(1, this_process().host);
-    sum.executeStep();
-    const double updates = sum.getColumn(0).getDouble(), seconds = sum.getColumn(1).getDouble();
-    return seconds > 0 && updates > 0 ? std::optional(updates / seconds) : std::nullopt;
+    SQLite::Statement rows(
+        *db,
+        "SELECT predicted_particles, predicted_steps, cpu_s, coalesce((SELECT min(study_id) "
+        "FROM study_job WHERE job_id = id), '') FROM job "
+        "WHERE status = 'done' AND host = ? ORDER BY id DESC LIMIT 1000");
+    rows.bind(1, this_process().host);
+    while (rows.executeStep())
+      samples.push_back({rows.getColumn(0).getDouble(), rows.getColumn(1).getDouble(),
+                         rows.getColumn(2).getDouble(), rows.getColumn(3).getString()});
   } catch (const UnfinishedCatalog&) {
-    return std::nullopt;
-  } catch (const SQLite::Exception&) {
-    return std::nullopt;  // an older layout: run will bring it up to date
+  } catch (const SQLite::Exception&) {  // an older layout: run will bring it up to date
+    samples.clear();
   }
+  return samples;
 }
 
 }  // namespace mpmstudy

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "runner/catalog/records.hpp"
+#include "runner/plan/cost_model.hpp"
 
 namespace mpmstudy {
 
@@ -41,8 +41,7 @@ struct CatalogState {
 /// The studies named, or all. Throws CatalogError: no catalog, or a name that it does not have.
 CatalogState read_state(const std::filesystem::path& results, const std::vector<std::string>& studies = {});
 
-/// Particle updates a second and core of the jobs done on this host; empty where there are none, or no
-/// catalog.
-std::optional<double> measured_updates_per_second(const std::filesystem::path& results);
+/// What the newest jobs done on this host have cost, at most a thousand; none where there is no catalog.
+std::vector<CostSample> measured_costs(const std::filesystem::path& results);
 
 }  // namespace mpmstudy

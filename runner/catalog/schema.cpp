@@ -191,6 +191,15 @@ CREATE TABLE physics (version INTEGER NOT NULL) STRICT;  -- one row: the newest 
 INSERT INTO physics (version) VALUES (0);
 )sql";
 
+// Answers over all jobs of a large study: a state is counted, and a job's studies are found, without their
+// rows.
+constexpr std::string_view version_5 = R"sql(
+DROP INDEX job_open;
+CREATE INDEX job_by_status ON job (status);
+DROP INDEX study_job_by_job;
+CREATE INDEX study_job_by_job ON study_job (job_id, coarse);
+)sql";
+
 constexpr std::string_view jobs_before = R"sql(
 DROP VIEW IF EXISTS jobs;
 CREATE VIEW jobs AS SELECT
@@ -315,7 +324,8 @@ std::vector<ParameterColumn> parameter_columns() {
 }  // namespace
 
 CatalogSchema current_catalog_schema() {
-  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}}, parameter_columns()};
+  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}, {5, version_5}},
+          parameter_columns()};
 }
 
 std::string view_sql(std::span<const std::string> columns) {

@@ -29,22 +29,33 @@ std::string readable_parameter(std::string_view name, const mpm::Scene& scene) {
   return readable(*mpm::find_choice(name), scene);
 }
 
-/// What a prediction rests on.
-struct Speed {
-  double updates_per_second;  ///< of one core
-  bool measured;              ///< by jobs of the catalog that ran on this host
-  std::string_view source() const { return measured ? "as measured here" : "assumed"; }
-};
-
-Speed speed_of(const std::string& results) {
-  const auto measured = measured_updates_per_second(results);
-  return {measured.value_or(assumed_updates_per_second), measured.has_value()};
-}
-
 std::string duration(double seconds) {
   if (seconds < 120) return fmt::format("{:.3g} s", seconds);
   if (seconds < 2 * 3600) return fmt::format("{:.3g} min", seconds / 60);
   return fmt::format("{:.3g} h", seconds / 3600);
+}
+
+/// "1.2 CPU-hours (0.9 to 1.6, 19 times out of 20)".
+std::string readable_cost(const Prediction& cost) {
+  constexpr double hour = 3600;
+  std::string text = fmt::format("{:.3g} CPU-hours", cost.seconds / hour);
+  if (cost.interval)
+    text += fmt::format(" ({:.3g} to {:.3g}, 19 times out of 20)", cost.interval->low / hour,
+                        cost.interval->high / hour);
+  return text;
+}
+
+std::string source_of(const CostModel& cost) {
+  return cost.learnt_from() > 0
+             ? fmt::format("learnt from {} on this host",
+                           counted(static_cast<std::int64_t>(cost.learnt_from()), "job"))
+             : fmt::format("assumed: {:.3g} particle updates a second and core", assumed_updates_per_second);
+}
+
+double longest_job(const std::vector<Job>& jobs) {
+  double longest = 0;
+  for (const Job& job : jobs) longest = std::max(longest, job.predicted_seconds);
+  return longest;
 }
 
 void print_table(const std::vector<std::vector<std::string>>& rows) {
@@ -124,7 +135,7 @@ void print_ladder(const Plan& plan) {
   print_table(rows);
 }
 
-void print_text(const Study& study, const Plan& plan, const Speed& speed, int workers) {
+void print_text(const Study& study, const Plan& plan, int workers) {
   std::vector<std::vector<std::string>> rows = {{"job"}};
   rows[0].insert(rows[0].end(), study.swept.begin(), study.swept.end());
   rows[0].insert(rows[0].end(), {"particles", "steps", "predicted"});
@@ -144,14 +155,14 @@ void print_text(const Study& study, const Plan& plan, const Speed& speed, int wo
   const std::string coarser = first.size() == plan.jobs.size()
                                   ? ""
                                   : fmt::format(" and {} at coarser cells", first.size() - plan.jobs.size());
-  fmt::print("\n{} job{}{}{}, {} of CPU, {} on -j {} (at {:.3g} particle updates a second and core, {})\n",
-             plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s",
+  fmt::print("\n{} job{}{}{}: {}, the longest job {}, {} on -j {}; {}\n", plan.jobs.size(),
+             plan.jobs.size() == 1 ? "" : "s",
              same == 0 ? "" : fmt::format(" ({} more are the same as one of these)", same), coarser,
-             duration(cpu_seconds(first)), duration(wall_seconds(first, workers)), workers,
-             speed.updates_per_second, speed.source());
+             readable_cost(total_cost(plan.cost, first)), duration(longest_job(first)),
+             duration(wall_seconds(first, workers)), workers, source_of(plan.cost));
   if (all.size() > first.size())
-    fmt::print("At most, if no ladder ends early: {} jobs, {} of CPU, {} on -j {}\n", all.size(),
-               duration(cpu_seconds(all)), duration(wall_seconds(all, workers)), workers);
+    fmt::print("At most, if no ladder ends early: {} jobs, {}, {} on -j {}\n", all.size(),
+               readable_cost(total_cost(plan.cost, all)), duration(wall_seconds(all, workers)), workers);
   if (study.search)
     fmt::print(
         "Search for the smallest {} with outcome {}: the jobs above, at its lower end, stand for the points "
@@ -160,7 +171,7 @@ void print_text(const Study& study, const Plan& plan, const Speed& speed, int wo
   print_defaults(study, plan);
 }
 
-Json to_json(const Study& study, const Plan& plan, const Speed& speed, int workers) {
+Json to_json(const Study& study, const Plan& plan, int workers) {
   const auto one = [&](const Job& job) {
     Json parameters;
     for (const mpm::Quantity& row : mpm::quantities())
@@ -182,18 +193,21 @@ Json to_json(const Study& study, const Plan& plan, const Speed& speed, int worke
     ladders.push_back(std::move(rungs));
   }
   const auto first = first_jobs(plan);
+  const Prediction cost = total_cost(plan.cost, first);
   return {{"study", study.name},
           {"title", study.title},
           {"scene", mpm::to_string(study.kind)},
           {"swept", study.swept},
           {"jobs", std::move(jobs)},
           {"ladders", std::move(ladders)},
-          {"cpu_seconds", cpu_seconds(first)},
+          {"cpu_seconds", cost.seconds},
+          {"cpu_seconds_low", cost.interval ? Json(cost.interval->low) : Json(nullptr)},
+          {"cpu_seconds_high", cost.interval ? Json(cost.interval->high) : Json(nullptr)},
+          {"longest_job_seconds", longest_job(first)},
           {"most_cpu_seconds", cpu_seconds(all_jobs(plan))},
           {"workers", workers},
           {"wall_seconds", wall_seconds(first, workers)},
-          {"updates_per_second", speed.updates_per_second},
-          {"updates_per_second_measured", speed.measured}};
+          {"learnt_from_jobs", plan.cost.learnt_from()}};
 }
 
 }  // namespace
@@ -214,12 +228,11 @@ int run_plan(const PlanOptions& options) {
   const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int workers = options.workers > 0 ? options.workers : processors;
   const Study study = read_study(options.file, options.study);
-  const Speed speed = speed_of(options.results);
-  const Plan plan = make_plan(study, speed.updates_per_second);
+  const Plan plan = make_plan(study, CostModel(measured_costs(options.results)));
   if (options.json)
-    fmt::print("{}\n", to_json(study, plan, speed, workers).dump(2));
+    fmt::print("{}\n", to_json(study, plan, workers).dump(2));
   else
-    print_text(study, plan, speed, workers);
+    print_text(study, plan, workers);
   return exit_ok;
 }
 

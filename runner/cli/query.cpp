@@ -7,6 +7,7 @@
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/row_format.hpp"
+#include "runner/cli/amounts.hpp"
 
 namespace mpmstudy {
 
@@ -19,6 +20,7 @@ void setup_query(CLI::App& app) {
   verb.add_option("--format", options->format, "table, csv or json")
       ->check(CLI::IsMember({"table", "csv", "json"}))
       ->capture_default_str();
+  verb.add_option("--timeout", options->timeout, "A query that takes longer is ended")->type_name("\"10 s\"");
   add_results_option(verb, options->results);
   verb.callback([options] { finish(run_query(*options)); });
 }
@@ -27,7 +29,7 @@ int run_query(const QueryOptions& options) {
   const auto format = row_format_from(options.format);
   if (!format) throw CatalogError("--format: " + options.format + ": table, csv or json");
   const auto sink = make_row_sink(*format, std::cout);
-  query(options.results, options.sql, *sink);
+  query(options.results, options.sql, *sink, {}, read_duration("--timeout", options.timeout));
   return exit_ok;
 }
 

@@ -9,6 +9,7 @@ namespace mpmstudy {
 struct QueryOptions {
   std::string sql;
   std::string format = "table";
+  std::string timeout;  ///< "10 s"; "": none
   std::string results;
 };
 

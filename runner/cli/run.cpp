@@ -21,6 +21,7 @@
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/cli/amounts.hpp"
+#include "runner/cli/print_search.hpp"
 #include "runner/cli/run_slurm.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/exec/run_search.hpp"
@@ -139,7 +140,11 @@ void keep_only(const std::string& path, std::vector<PlannedStudy>& planned) {
     auto jobs = all_jobs(study.plan);
     std::erase_if(jobs, [&](const Job& job) { return !keys.contains(job.key); });
     for (auto& job : jobs) job.rung_of.reset();
-    study.plan = {study.plan.study, std::move(jobs), {}, {}};  // who gives the keys knows what they are for
+    study.plan = {study.plan.study,
+                  std::move(jobs),
+                  {},
+                  {},
+                  study.plan.cost};  // who gives the keys knows what they are for
   }
 }
 
@@ -164,36 +169,29 @@ double share_of(const std::string& text) {
   return share;
 }
 
-/// The brackets of a search, a line each, and what its audit found.
-void print_search(const Study& study, const SearchReport& search) {
-  const mpm::Quantity* critical = mpm::find_quantity(study.search->critical);
-  std::vector<std::string> swept = study.swept;
-  for (const FoundBracket& b : search.brackets) {
-    const std::string found =
-        b.lower ? fmt::format("{:g} to {:g} {}", *b.lower, *b.upper, critical->unit) : "not found";
-    fmt::print("{}  {} {}  ({} runs){}\n", label_of(b.point.scene, swept), critical->name, found, b.runs,
-               b.flags.empty() ? "" : "; " + b.flags);
-  }
-  const Audit& audit = search.audit;
-  if (audit.audited == 0) return;
-  fmt::print("audit: {} of {} early stops run to their end, {} of them false\n", audit.audited, audit.early,
-             audit.disagreeing.size());
-  for (const std::string& key : audit.disagreeing) fmt::print("  false stop: {}\n", short_key(key));
-}
-
-/// A job array a study. A search is a conversation with its results: it is not for a queue.
+/// A job array a study.
 int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
-                   const std::vector<PlannedStudy>& planned, const RunSeams& seams) {
+                   const std::vector<PlannedStudy>& planned, const SearchOptions& search,
+                   const RunSeams& seams) {
   int code = exit_ok;
   auto next = planned.begin();
   for (const auto& study : studies)
-    if (study.search) {
-      fmt::print(stderr, "{}: a [search] is run here, not by Slurm; leave out --engine slurm\n", study.name);
-      code = std::max(code, exit_stopped);
-    } else {
-      code = std::max(code, run_on_slurm(options, study, *next++, seams));
-    }
+    code = std::max(code, study.search ? search_on_slurm(options, study, search, seams)
+                                       : run_on_slurm(options, study, *next++, seams));
   return code;
+}
+
+/// Plans of the studies that are no search; with --only, of what a search may ask for too.
+std::vector<PlannedStudy> plan_studies(const RunOptions& options, const std::vector<Study>& studies,
+                                       const CostModel& cost) {
+  std::vector<PlannedStudy> planned;
+  for (Study study : studies) {
+    if (study.search && options.only.empty()) continue;
+    if (study.search) study.scenes = possible_scenes(study);
+    planned.push_back({make_plan(study, cost), study.title, source_of(study, options.study)});
+  }
+  if (!options.only.empty()) keep_only(options.only, planned);
+  return planned;
 }
 
 }  // namespace
@@ -246,14 +244,10 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   std::vector<Study> studies;
   for (const auto& file : options.files) studies.push_back(read_study(file, options.study));
   check_names(studies);
-  const double rate = measured_updates_per_second(options.results).value_or(assumed_updates_per_second);
-  std::vector<PlannedStudy> planned;
-  for (const auto& study : studies)
-    if (!study.search)
-      planned.push_back({make_plan(study, rate), study.title, source_of(study, options.study)});
-  const double audit = share_of(options.audit);
-  if (!options.only.empty()) keep_only(options.only, planned);
-  if (options.engine == "slurm") return submit_studies(options, studies, planned, seams);
+  const CostModel cost(measured_costs(options.results));
+  const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit)};
+  const auto planned = plan_studies(options, studies, cost);
+  if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
   if (options.dry_run) return print_intent(options, studies, planned);
 
   const ExecutorOptions executor = executor_options(options);
@@ -268,9 +262,9 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
       report = run_studies(planned, options.retry_failed, writer, *status, seams.simulate,
                            seams.write_snapshot, signal_flag(), executor);
     for (const auto& study : studies) {
-      if (!study.search || report.left() > 0) continue;
-      const SearchReport search = run_search(study, {rate, options.retry_failed, audit}, writer, *status,
-                                             seams.simulate, seams.write_snapshot, signal_flag(), executor);
+      if (!study.search || !options.only.empty() || report.left() > 0) continue;
+      const SearchReport search = run_search(study, search_options, writer, *status, seams.simulate,
+                                             seams.write_snapshot, signal_flag(), executor);
       report.executed.failed += search.run.executed.failed;
       report.executed.untouched += search.run.left();
       report.signal = search.run.signal;
@@ -280,7 +274,8 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
     fmt::print(stderr, "{}\nrun again to go on\n", error.what());
     return exit_stopped;
   }
-  const bool good = report.left() > 0 || finish_studies(studies, options, seams, writer);
+  const bool whole = report.left() == 0 && options.only.empty();
+  const bool good = !whole || finish_studies(studies, options, seams, writer);
   const int code = report.exit_code();
   return code == exit_ok && !good ? exit_failed : code;
 }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "runner/cli/run.hpp"
-#include "runner/exec/run_studies.hpp"
+#include "runner/exec/run_search.hpp"
 
 namespace mpmstudy {
 
@@ -11,5 +11,8 @@ namespace mpmstudy {
 /// nothing. Jobs that are in the queue already are left there. exit_ok when all is submitted or done;
 /// exit_stopped when work is left and --rounds are over, or sbatch refuses.
 int run_on_slurm(const RunOptions&, const Study&, const PlannedStudy&, const RunSeams&);
+
+/// The same for a study with [search]: each submission is one round of it, and its merge submits the next.
+int search_on_slurm(const RunOptions&, const Study&, const SearchOptions&, const RunSeams&);
 
 }  // namespace mpmstudy

@@ -50,6 +50,7 @@ Json to_json(const CatalogState& state, const std::vector<Submission>& submissio
                              {"whole", s.whole},
                              {"running", s.running},
                              {"pending", s.pending},
+                             {"held", s.held},
                              {"merge_queued", s.merge_queued}});
   for (const auto& job : state.running)
     json["running"].push_back({{"key", job.key},
@@ -62,12 +63,22 @@ Json to_json(const CatalogState& state, const std::vector<Submission>& submissio
   return json;
 }
 
+/// " (2 held: ...)"
+std::string held(const Submission& s) {
+  if (s.held == 0) return "";
+  return fmt::format(
+      " ({} held{})", s.held,
+      s.stranded.empty()
+          ? ": `scontrol release` lets them go on"
+          : fmt::format(", {} after a failed launch: `mpmstudy run` releases them", s.stranded.size()));
+}
+
 void print_queue(const std::vector<Submission>& submissions) {
   if (!submissions.empty()) fmt::print("\nslurm\n");
   for (const auto& s : submissions)
     fmt::print(
-        "  {}  array {}: {} of {} shards whole, {} running, {} pending; merge {}\n", s.study, s.array_id,
-        s.whole, s.shards, s.running, s.pending,
+        "  {}  array {}: {} of {} shards whole, {} running, {} pending{}; merge {}\n", s.study, s.array_id,
+        s.whole, s.shards, s.running, s.pending, held(s),
         s.merge_queued ? "waits for them" : "is not in the queue: `mpmstudy run` submits what is left");
 }
 

@@ -99,7 +99,7 @@ int run_verify(const VerifyOptions& options, const RunSeams& seams) {
   ExecutorOptions executor;
   executor.results = scratch.path();
   executor.workers = static_cast<unsigned>(options.workers);
-  const PlannedStudy study{{"verify", jobs, {}, {}}, "", {}};
+  const PlannedStudy study{{"verify", jobs, {}, {}, {}}, "", {}};
   {
     CatalogWriter writer(scratch.path());
     Status silent;

@@ -81,17 +81,9 @@ bool sampled(const std::string& key, double share) {
 
 class SearchRun {
  public:
-  SearchRun(const Study& study, const SearchOptions& options, CatalogWriter& writer, Status& status,
-            const Simulate& simulate, const WriteSnapshot& write, StopFlag& flag,
-            const ExecutorOptions& executor)
-      : study_(study),
-        options_(options),
-        writer_(writer),
-        status_(status),
-        simulate_(simulate),
-        write_(write),
-        flag_(flag),
-        executor_(executor) {}
+  SearchRun(const Study& study, const SearchOptions& options, CatalogWriter& writer,
+            const std::filesystem::path& results, const RunRound& run_round)
+      : study_(study), options_(options), writer_(writer), results_(results), run_round_(run_round) {}
 
   SearchReport run() {
     Search search(study_);
@@ -100,7 +92,7 @@ class SearchRun {
     for (auto scenes = search.next_round(); !scenes.empty(); scenes = search.next_round()) {
       all.scenes.insert(all.scenes.end(), scenes.begin(), scenes.end());
       if (!round(all)) return std::move(report_);
-      const auto states = states_of(executor_.results, all.name);
+      const auto states = states_of(results_, all.name);
       for (const mpm::Scene& scene : scenes) {
         const std::string key = job_key(scene);
         const State& state = states.at(key);
@@ -116,9 +108,8 @@ class SearchRun {
  private:
   /// False if the run was stopped.
   bool round(const Study& study) {
-    const PlannedStudy planned{make_plan(study, options_.updates_per_second), study.title};
-    const RunReport one = run_studies(std::span(&planned, 1), options_.retry_failed, writer_, status_,
-                                      simulate_, write_, flag_, executor_);
+    const PlannedStudy planned{make_plan(study, options_.cost), study.title};
+    const RunReport one = run_round_(planned);
     add(report_.run, one);
     if (one.left() > 0) {
       report_.run.executed.untouched = one.left();
@@ -143,7 +134,7 @@ class SearchRun {
       whole.scenes.back().measures.stop = mpm::Stop::end_time;
     }
     if (whole.scenes.empty() || !round(whole)) return;
-    const auto said = states_of(executor_.results, all.name), says = states_of(executor_.results, whole.name);
+    const auto said = states_of(results_, all.name), says = states_of(results_, whole.name);
     for (std::size_t i = 0; i < early.size(); ++i) {
       ++report_.audit.audited;
       const State &a = said.at(early[i]), &b = says.at(job_key(whole.scenes[i]));
@@ -155,20 +146,42 @@ class SearchRun {
   const Study& study_;
   const SearchOptions& options_;
   CatalogWriter& writer_;
-  Status& status_;
-  const Simulate& simulate_;
-  const WriteSnapshot& write_;
-  StopFlag& flag_;
-  const ExecutorOptions& executor_;
+  const std::filesystem::path& results_;
+  const RunRound& run_round_;
   SearchReport report_;
 };
 
 }  // namespace
 
 SearchReport run_search(const Study& study, const SearchOptions& options, CatalogWriter& writer,
+                        const std::filesystem::path& results, const RunRound& run_round) {
+  return SearchRun(study, options, writer, results, run_round).run();
+}
+
+SearchReport run_search(const Study& study, const SearchOptions& options, CatalogWriter& writer,
                         Status& status, const Simulate& simulate, const WriteSnapshot& write, StopFlag& flag,
                         const ExecutorOptions& executor) {
-  return SearchRun(study, options, writer, status, simulate, write, flag, executor).run();
+  const RunRound here = [&](const PlannedStudy& planned) {
+    return run_studies(std::span(&planned, 1), options.retry_failed, writer, status, simulate, write, flag,
+                       executor);
+  };
+  return run_search(study, options, writer, executor.results, here);
+}
+
+std::vector<mpm::Scene> possible_scenes(const Study& study) {
+  const SearchRequest& request = *study.search;
+  const Lattice lattice(request.lower, request.upper, request.tolerance);
+  const mpm::Quantity* critical = mpm::find_quantity(request.critical);
+  std::vector<mpm::Scene> scenes;
+  for (mpm::Scene scene : study.scenes)
+    for (int i = 0; i <= lattice.intervals; ++i) {
+      critical->set(scene, lattice.value(i));
+      scenes.push_back(scene);
+      if (scene.measures.stop != mpm::Stop::decided) continue;
+      scenes.push_back(scene);  // as an audit runs it
+      scenes.back().measures.stop = mpm::Stop::end_time;
+    }
+  return scenes;
 }
 
 }  // namespace mpmstudy

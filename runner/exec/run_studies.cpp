@@ -1,5 +1,6 @@
 #include "runner/exec/run_studies.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <functional>
 #include <thread>
@@ -72,6 +73,15 @@ void climb_ladders(std::span<const PlannedStudy> studies, bool retry_failed, Cat
   report.left_failed += climbs.left_failed();
 }
 
+/// How far off the prediction for these studies may be: of several, the one that is worst known.
+double predicted_factor(std::span<const PlannedStudy> studies) {
+  double factor = 1;
+  for (const auto& study : studies)
+    if (const auto cost = total_cost(study.plan.cost, first_jobs(study.plan)); cost.interval)
+      factor = std::max(factor, cost.interval->high / cost.seconds);
+  return factor;
+}
+
 std::string stop_reason(const RunReport& report) {
   if (!report.executed.storage_error.empty()) return report.executed.storage_error;
   if (report.left() == 0) return {};
@@ -81,7 +91,7 @@ std::string stop_reason(const RunReport& report) {
   return "another run has changed the study";
 }
 
-RunEnd end_of(const RunReport& report, const ExecutorOptions& options,
+RunEnd end_of(const RunReport& report, const ExecutorOptions& options, double predicted_factor,
               std::chrono::steady_clock::time_point begin) {
   const ExecutorReport& executed = report.executed;
   RunEnd end;
@@ -92,6 +102,7 @@ RunEnd end_of(const RunReport& report, const ExecutorOptions& options,
   end.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (executed.cpu_s > 0) end.updates_per_second = executed.updates / executed.cpu_s;
   end.predicted_s = executed.predicted_s;
+  end.predicted_factor = predicted_factor;
   end.cpu_s = executed.cpu_s;
   end.catalog = catalog_path(options.results).string();
   end.stop_reason = stop_reason(report);
@@ -117,6 +128,7 @@ RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, 
   start.reused = report.reused;
   start.left_failed = report.left_failed;
   start.workers = worker_count(options, jobs.size());
+  start.predicted_factor = predicted_factor(studies);
   status.run_started(start);
 
   ExecutorOptions with_end = options;
@@ -124,7 +136,7 @@ RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, 
     with_end.abandon = [&](const ExecutorReport& executed) {
       report.executed = sum_of(report.executed, executed);
       report.signal = flag.signal();
-      status.run_finished(end_of(report, options, begin));
+      status.run_finished(end_of(report, options, start.predicted_factor, begin));
       options.abandon(executed);
     };
   const auto execute = [&](std::vector<Job> some) {
@@ -133,7 +145,7 @@ RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, 
   report.executed = execute(std::move(jobs));
   climb_ladders(studies, retry_failed, writer, status, report, execute, options.results);
   report.signal = flag.signal();
-  status.run_finished(end_of(report, options, begin));
+  status.run_finished(end_of(report, options, start.predicted_factor, begin));
   return report;
 }
 

@@ -10,18 +10,17 @@
 namespace mpmstudy {
 namespace {
 
-Job make_job(const mpm::Scene& scene, double updates_per_second) {
+Job make_job(const mpm::Scene& scene, const CostModel& cost) {
   const mpm::Estimate estimate = mpm::estimate(scene);
-  const double updates = static_cast<double>(estimate.particles) * static_cast<double>(estimate.steps);
-  return {job_key(scene), scene, estimate, updates / updates_per_second};
+  return {job_key(scene), scene, estimate, cost.seconds(estimate)};
 }
 
 /// The rungs of one scene, coarse to fine.
 std::vector<Job> make_ladder(const mpm::Scene& scene, const LadderRequest& request, std::int64_t position,
-                             double updates_per_second) {
+                             const CostModel& cost) {
   const LadderScenes ladder = ladder_scenes(scene, request);
   std::vector<Job> rungs;
-  for (const mpm::Scene& rung : ladder.scenes) rungs.push_back(make_job(rung, updates_per_second));
+  for (const mpm::Scene& rung : ladder.scenes) rungs.push_back(make_job(rung, cost));
   for (std::size_t k = 0; k < ladder.first_answer; ++k) rungs[k].rung_of = position;
   return rungs;
 }
@@ -54,19 +53,19 @@ LadderScenes ladder_scenes(const mpm::Scene& scene, const LadderRequest& request
   return ladder;
 }
 
-Plan make_plan(const Study& study, double updates_per_second) {
+Plan make_plan(const Study& study, const CostModel& cost) {
   Plan plan;
   plan.study = study.name;
   plan.ladder = study.ladder;
+  plan.cost = cost;
   std::unordered_set<std::string> known;
   for (const mpm::Scene& scene : study.scenes) {
     if (study.ladder.cells == 1) {  // at the cell that is given or found
-      Job job = make_job(scene, updates_per_second);
+      Job job = make_job(scene, cost);
       if (known.insert(job.key).second) plan.jobs.push_back(std::move(job));
       continue;
     }
-    auto rungs =
-        make_ladder(scene, study.ladder, static_cast<std::int64_t>(plan.jobs.size()), updates_per_second);
+    auto rungs = make_ladder(scene, study.ladder, static_cast<std::int64_t>(plan.jobs.size()), cost);
     const Job& answer = study.ladder.accuracy ? rungs[first_cells - 1] : rungs.back();
     if (!known.insert(answer.key).second) continue;
     plan.jobs.push_back(answer);
@@ -96,6 +95,12 @@ double cpu_seconds(const std::vector<Job>& jobs) {
   double sum = 0;
   for (const Job& job : jobs) sum += job.predicted_seconds;
   return sum;
+}
+
+Prediction total_cost(const CostModel& cost, const std::vector<Job>& jobs) {
+  std::vector<mpm::Estimate> estimates;
+  for (const Job& job : jobs) estimates.push_back(job.estimate);
+  return cost.total(estimates);
 }
 
 double wall_seconds(const std::vector<Job>& jobs, int workers) {

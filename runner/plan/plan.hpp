@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
+#include "runner/plan/cost_model.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
@@ -34,13 +35,10 @@ struct Plan {
   /// the job is the last of them; with one it is the last that is always run, and finer ones may follow.
   std::vector<std::vector<Job>> ladders;
   LadderRequest ladder;
+  CostModel cost;  ///< that the predictions are of
 };
 
-/// What one core is taken to do until the catalog has seen jobs of this host [particle updates/s].
-inline constexpr double assumed_updates_per_second = 5e6;
-
-/// updates_per_second: particle updates a second and core that the prediction assumes.
-Plan make_plan(const Study&, double updates_per_second = assumed_updates_per_second);
+Plan make_plan(const Study&, const CostModel& = {});
 
 /// The scenes of a ladder, coarse to fine; those from `first_answer` on can be a job of the study itself, and
 /// only they keep their snapshots.
@@ -57,6 +55,8 @@ std::vector<Job> all_jobs(const Plan&);
 
 /// Sum of the predictions [s].
 double cpu_seconds(const std::vector<Job>&);
+/// The same, with its interval.
+Prediction total_cost(const CostModel&, const std::vector<Job>&);
 
 /// The predicted time of jobs on `workers` threads, the longest job first [s].
 double wall_seconds(const std::vector<Job>&, int workers);

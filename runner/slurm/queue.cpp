@@ -49,26 +49,44 @@ void write(const fs::path& path, const std::string& text) {
   if (!file) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-/// Counts the elements that squeue lists: "1234_5 PD".
+/// Counts the elements that squeue lists: "1234_5 PD launch failed requeued held".
 void ask_queue(Submission& submission) {
   const auto ids = submission.array_id + (submission.merge_id.empty() ? "" : "," + submission.merge_id);
-  std::istringstream lines(shell("squeue -h -r -j " + ids + " -o '%i %t' 2>/dev/null").text);
-  for (std::string id, state; lines >> id >> state;) {
-    if (id == submission.merge_id)
+  std::istringstream lines(shell("squeue -h -r -j " + ids + " -o '%i %t %r' 2>/dev/null").text);
+  std::string id, state, reason;
+  while (lines >> id >> state && std::getline(lines, reason)) {
+    if (id.substr(0, id.find('_')) == submission.merge_id)
       submission.merge_queued = true;
     else
       ++(state == "PD" ? submission.pending : submission.running);
+    const bool stranded =
+        reason.find("failed") != std::string::npos && reason.find("held") != std::string::npos;
+    if (stranded) submission.stranded.push_back(id);
+    submission.held += stranded || reason.find("Held") != std::string::npos;
   }
+}
+
+void read_keys(const fs::path& folder, std::set<std::string>& keys) {
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (!entry.path().filename().string().starts_with("keys-")) continue;
+    std::ifstream file(entry.path());
+    for (std::string key; file >> key;) keys.insert(key);
+  }
+}
+
+std::set<fs::path> submission_folders(const fs::path& results) {
+  std::error_code none;
+  std::set<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(results / "slurm", none)) folders.insert(entry.path());
+  return folders;
 }
 
 }  // namespace
 
 std::vector<Submission> read_submissions(const fs::path& results) {
   std::vector<Submission> all;
-  std::error_code none;
-  std::set<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(results / "slurm", none)) folders.insert(entry.path());
-  for (const auto& folder : folders) {
+  for (const auto& folder : submission_folders(results)) {
     std::ifstream file(folder / "submitted.json");
     const auto json = nlohmann::json::parse(file, nullptr, false);
     if (!json.is_object() || fs::exists(folder / "merged")) continue;
@@ -88,14 +106,29 @@ std::vector<Submission> read_submissions(const fs::path& results) {
 
 std::set<std::string> queued_keys(const std::vector<Submission>& submissions) {
   std::set<std::string> keys;
-  for (const auto& submission : submissions) {
-    if (!submission.in_queue()) continue;
-    for (std::size_t i = 0; i < submission.shards; ++i) {
-      std::ifstream file(submission.folder / fmt::format("keys-{}.txt", i));
-      for (std::string key; file >> key;) keys.insert(key);
-    }
-  }
+  for (const auto& submission : submissions)
+    if (submission.in_queue()) read_keys(submission.folder, keys);
   return keys;
+}
+
+std::set<std::string> last_submitted(const fs::path& results, const std::string& study) {
+  fs::path last;  // the names end in the time: the greatest is the newest
+  for (const auto& folder : submission_folders(results)) {
+    std::ifstream file(folder / "submitted.json");
+    const auto json = nlohmann::json::parse(file, nullptr, false);
+    if (json.is_object() && json.value("study", "") == study) last = folder;
+  }
+  std::set<std::string> keys;
+  read_keys(last, keys);
+  return keys;
+}
+
+std::vector<std::string> release_stranded(const std::vector<Submission>& submissions) {
+  std::vector<std::string> released;
+  for (const auto& submission : submissions)
+    for (const auto& id : submission.stranded)
+      if (shell("scontrol release " + id + " 2>&1").code == 0) released.push_back(id);
+  return released;
 }
 
 Submission submit(const SlurmScripts& scripts, const fs::path& study_file,
@@ -126,7 +159,8 @@ Submission submit(const SlurmScripts& scripts, const fs::path& study_file,
                                          "\n");
     return submission;
   } catch (const std::exception&) {
-    if (!submission.array_id.empty()) shell("scancel " + submission.array_id + " 2>&1");
+    for (const auto& id : {submission.merge_id, submission.array_id})
+      if (!id.empty()) shell("scancel " + id + " 2>&1");
     std::error_code ignored;
     fs::remove_all(folder, ignored);
     throw;

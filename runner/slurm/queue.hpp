@@ -18,6 +18,8 @@ struct Submission {
   std::size_t shards = 0;
   std::size_t whole = 0;                 ///< shards that are on the share
   std::size_t pending = 0, running = 0;  ///< elements in the queue
+  std::size_t held = 0;                  ///< of the pending: someone has held them
+  std::vector<std::string> stranded;     ///< of the held: Slurm could not start them and asks for a human
   bool merge_queued = false;
 
   bool in_queue() const { return pending + running > 0 || merge_queued; }
@@ -25,6 +27,12 @@ struct Submission {
 
 /// Oldest first.
 std::vector<Submission> read_submissions(const std::filesystem::path& results);
+
+/// Lets Slurm try again what is stranded; the ids that it took back.
+std::vector<std::string> release_stranded(const std::vector<Submission>&);
+
+/// Keys of the newest submission of a study, merged or not.
+std::set<std::string> last_submitted(const std::filesystem::path& results, const std::string& study);
 
 /// Keys of the jobs whose submission is still in the queue.
 std::set<std::string> queued_keys(const std::vector<Submission>&);

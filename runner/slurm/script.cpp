@@ -9,6 +9,9 @@ std::string head(const SlurmScripts& s, const std::string& what, const std::stri
   std::string text = "#!/bin/bash\n";
   text += fmt::format("#SBATCH --job-name=mpmstudy-{}{}\n", s.study, what);
   text += fmt::format("#SBATCH --output={}/{}\n", s.folder, log);
+  // What cannot be started ends. Slurm would hold it until a human comes if it were to be tried again, and
+  // what depends on it would wait.
+  text += "#SBATCH --no-requeue\n#SBATCH --open-mode=append\n";
   for (const auto& option : s.options) text += "#SBATCH " + option + "\n";
   return text;
 }
@@ -33,8 +36,6 @@ std::string array_script(const SlurmScripts& s) {
   return head(s, "", "log-%a.txt") +
          fmt::format(R"(#SBATCH --array=0-{last}
 #SBATCH --cpus-per-task={workers}
-#SBATCH --requeue
-#SBATCH --open-mode=append
 set -u
 folder={folder}
 shard=$folder/shard-$SLURM_ARRAY_TASK_ID
@@ -61,11 +62,11 @@ cp -r "$local/results" "$partial" && sync "$partial"/* && mv -T "$partial" "$sha
 std::string merge_script(const SlurmScripts& s) {
   return head(s, "-merge", "log-merge.txt") +
          fmt::format(R"(#SBATCH --cpus-per-task=1
-#SBATCH --requeue
-#SBATCH --open-mode=append
+#SBATCH --array=0-1%1
 set -u
 shopt -s nullglob extglob
 folder={folder}
+[ -e "$folder/went-on" ] && exit 0  # the second element is there for a first one that was lost
 shards=("$folder"/shard-+([0-9]))
 code=0
 if [ ${{#shards[@]}} -gt 0 ]; then
@@ -74,6 +75,7 @@ fi
 [ $code -le 1 ] || exit $code
 touch "$folder/merged"
 {program} run "$folder/study.toml"{run}{again} --yes --engine slurm --round {round} --results {results} || code=$?
+[ $code -le 1 ] && touch "$folder/went-on"
 exit $code
 )",
                      fmt::arg("folder", shell_word(s.folder)), fmt::arg("program", shell_word(s.program)),

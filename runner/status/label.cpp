@@ -38,6 +38,13 @@ std::string readable_duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
+std::string readable_prediction(double seconds, double factor) {
+  const std::string text = readable_duration(seconds);
+  if (factor <= 1) return text;
+  return fmt::format("{} ({} to {})", text, readable_duration(seconds / factor),
+                     readable_duration(seconds * factor));
+}
+
 std::string readable_rate(double updates_per_second) {
   return fmt::format("{:.2f} M/s", updates_per_second * 1e-6);
 }

@@ -23,6 +23,9 @@ std::string counted(std::int64_t number, const std::string& noun);
 /// "8 s", "2 min 05 s", "1 h 02 min"
 std::string readable_duration(double seconds);
 
+/// "8 s (5 s to 13 s)"; factor 1: without an interval.
+std::string readable_prediction(double seconds, double factor);
+
 /// "6.1 M/s": particle updates a second.
 std::string readable_rate(double updates_per_second);
 

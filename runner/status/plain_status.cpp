@@ -111,7 +111,8 @@ std::string start_text(const RunStart& start) {
   std::string text =
       fmt::format("{} to run on {}", counted(start.jobs, "job"), counted(start.workers, "worker"));
   if (start.predicted_seconds > 0)
-    text += fmt::format(", about {} of one core", readable_duration(start.predicted_seconds));
+    text += fmt::format(", about {} of one core",
+                        readable_prediction(start.predicted_seconds, start.predicted_factor));
   text += "\n";
   if (start.reused > 0) text += fmt::format("{} done already\n", counted(start.reused, "job"));
   if (start.taken_up > 0)
@@ -133,8 +134,9 @@ std::string end_text(const RunEnd& end) {
     text += fmt::format("; {} particle updates on each core", readable_rate(end.updates_per_second));
   text += "\n";
   if (end.predicted_s > 0 && end.cpu_s > 0)
-    text += fmt::format("predicted {} of one core, took {}\n", readable_duration(end.predicted_s),
-                        readable_duration(end.cpu_s));
+    text +=
+        fmt::format("predicted {} of one core, took {}\n",
+                    readable_prediction(end.predicted_s, end.predicted_factor), readable_duration(end.cpu_s));
   if (!end.stop_reason.empty()) text += "stopped: " + end.stop_reason + "; run again to go on\n";
   return text + "catalog: " + end.catalog + "\n";
 }

@@ -17,7 +17,8 @@ struct RunStart {
   std::int64_t taken_up = 0;     ///< of jobs: left behind by a process that is gone
   double predicted_seconds = 0;  ///< sum over the jobs to run, on one core
   unsigned workers = 1;
-  std::int64_t damaged = 0;  ///< of jobs: were done, but files of theirs are missing or damaged
+  std::int64_t damaged = 0;     ///< of jobs: were done, but files of theirs are missing or damaged
+  double predicted_factor = 1;  ///< 19 times out of 20 it is no more, and no less, than so many times that
 };
 
 /// How one job ended: done, failed, or planned (again) if it was stopped.
@@ -40,6 +41,7 @@ struct RunEnd {
   std::string catalog;            ///< path
   std::string stop_reason;        ///< "" if all was decided
   double predicted_s = 0;         ///< of the jobs that are done now, on one core [s]
+  double predicted_factor = 1;    ///< as of RunStart
   double cpu_s = 0;               ///< that they took [s]
 };
 

@@ -65,7 +65,7 @@ void apply_overrides(Table& document, const std::vector<std::pair<std::string, s
     // A cell is given, or looked for; what the file says of the other, and of its ladder, was not meant for
     // it.
     if (name == "accuracy" || name == "cell_size")
-      std::erase_if(table->entries, [&](const Entry& entry) {
+      std::erase_if(table->entries, [&, name = name](const Entry& entry) {
         return entry.place.line > 0 &&
                (name == "accuracy" ? entry.key == "cell_size" || entry.key == "ladder"
                                    : entry.key == "accuracy" || entry.key == "accuracy_of");

@@ -19,7 +19,9 @@ std::string bytes_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// Stops a statement that goes on and on: the fuzzer looks for damage, not for patience.
+/// Statements that go on and on are stopped: the fuzzer looks for damage, not for patience.
+constexpr double most_seconds = 0.1;
+
 struct FewRows : mpmstudy::RowSink {
   void columns(std::span<const std::string>) override {}
   void row(std::span<const mpmstudy::SqlValue>) override {
@@ -38,7 +40,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }();
   try {
     FewRows rows;
-    mpmstudy::query(scratch.path(), std::string(reinterpret_cast<const char*>(data), size), rows);
+    mpmstudy::query(scratch.path(), std::string(reinterpret_cast<const char*>(data), size), rows, {},
+                    most_seconds);
   } catch (const mpmstudy::CatalogError&) {
   }
   if (bytes_of(mpmstudy::catalog_path(scratch.path())) != before) std::abort();

@@ -1,8 +1,10 @@
 #!/bin/bash
-# A study through a real Slurm: elements requeued and killed, the controller killed, shards merged twice; at the
-# end the catalog is that of a run on one machine, bit for bit.  slurm_test.sh PROGRAM FAULT_HARNESS STUDY
+# Studies through a real Slurm: elements requeued, held and killed, the controller killed, shards merged twice, a
+# search in rounds; at the end the catalogs are those of runs on one machine, bit for bit.
+#   slurm_test.sh PROGRAM FAULT_HARNESS STUDY SEARCH
+# Nothing is waited for without an end.
 set -u
-program=$1 harness=$2 study=$3
+program=$1 harness=$2 study=$3 search=$4
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d /tmp/mpmstudy-slurm-XXXXXX)
 export MINI_SLURM=$work/slurm SLURM_CONF=$work/slurm/slurm.conf
@@ -13,7 +15,8 @@ expect() {  # WHAT TEXT PATTERN
   if grep -Eq -- "$3" <<< "$2"; then check "$1"; else wrong "$1: '$2' has no '$3'"; fi
 }
 cleanup() {
-  "$here/mini_slurm.sh" down
+  [ $failures -gt 0 ] && squeue -r -o '%i %j %t %r'
+  timeout 30 "$here/mini_slurm.sh" down
   if [ $failures -gt 0 ]; then
     echo "left: $work"
     cat "$work"/results/slurm/*/log-*.txt 2>/dev/null | tail -40
@@ -21,24 +24,35 @@ cleanup() {
     rm -rf "$work"
   fi
 }
+run() { timeout 240 "$program" "$@"; }
 
-"$here/mini_slurm.sh" up 2 || exit $?
+timeout 90 "$here/mini_slurm.sh" up 2
+code=$?
+if [ $code -ne 0 ]; then
+  rm -rf "$work"
+  [ $code -eq 124 ] && echo "skipped: a Slurm does not start here in 90 s"
+  exit 77
+fi
 trap cleanup EXIT
 
 set_options=(--set 'cell_size=0.15 um')
 results=$work/results
-"$program" run "$study" "${set_options[@]}" --results "$work/calm" -q || wrong "the undisturbed run"
+run run "$study" "${set_options[@]}" --results "$work/calm" -q || wrong "the undisturbed run"
 
-text=$("$program" run "$study" "${set_options[@]}" --results "$results" --engine slurm --dry-run)
+text=$(run run "$study" "${set_options[@]}" --results "$results" --engine slurm --dry-run)
 expect "a dry run prints the scripts" "$text" '#SBATCH --array=0-'
 [ -e "$results" ] && wrong "a dry run writes"
 
-# 16 jobs in 4 elements of one processor each.
-submit=("$program" run "$study" "${set_options[@]}" --results "$results" --engine slurm -j 1 --shards 4 --shard-time 0.1)
+# 16 jobs in 6 elements of one processor each; four run at a time.
+submit=(run run "$study" "${set_options[@]}" --results "$results" --engine slurm -j 1 --shards 6 --shard-time 0.1)
 text=$("${submit[@]}") || wrong "submitting: $text"
 expect "the study is submitted" "$text" 'submitted: array [0-9]+, merge [0-9]+'
 array=$(sed -n 's/^submitted: array \([0-9]*\),.*/\1/p' <<< "$text")
-expect "status shows the queue" "$("$program" status --results "$results")" "array $array: . of 4 shards whole"
+scontrol hold "${array}_5" || wrong "holding an element"
+text=$(run status --results "$results")
+expect "status shows the queue" "$text" "array $array: . of 6 shards whole"
+expect "status shows what is held" "$text" '\(1 held: `scontrol release`'
+scontrol release "${array}_5"
 expect "what is in the queue is not submitted again" "$("${submit[@]}")" 'what is left is in the queue'
 
 state_of() { squeue -h -r -j "${array}_$1" -o %t 2>/dev/null; }
@@ -49,30 +63,52 @@ processes_of() {  # of an element of the array
   done
 }
 wait_until_running 0
-scontrol requeue "${array}_0" && check "element 0 is requeued"
+scontrol update JobId="${array}_0" Requeue=1 && scontrol requeue "${array}_0" && check "element 0 is requeued"
 wait_until_running 1
-kill -9 $(processes_of 1) && check "element 1 is killed"
+for _ in $(seq 50); do
+  processes=$(processes_of 1)
+  [ -n "$processes" ] && break
+  sleep 0.1
+done
+kill -9 $processes && check "element 1 is killed"
 "$here/mini_slurm.sh" kill-controller && check "the controller is killed"
 sleep 1
 "$here/mini_slurm.sh" start-controller
 
-for _ in $(seq 600); do
-  left=$("$program" query "SELECT count(*) FROM jobs WHERE status <> 'done'" --format csv --results "$results" | tail -1 | tr -d '\r')
-  fits=$("$program" query "SELECT count(*) FROM fits" --format csv --results "$results" | tail -1 | tr -d '\r')
-  [ "$left" = 0 ] && [ "$fits" != 0 ] && break
-  sleep 0.5
-done
-if [ "$left" = 0 ]; then check "every job is done"; else wrong "$left jobs are left"; fi
+number() { run query "$1" --format csv --results "$results" | tail -1 | tr -d '\r'; }
+wait_until() {  # SECONDS SQL: until it gives something other than 0
+  for _ in $(seq $((2 * $1))); do
+    [ "$(number "$2")" != 0 ] && return 0
+    sleep 0.5
+  done
+  return 1
+}
+finished="SELECT (SELECT count(*) FROM jobs WHERE status <> 'done') = 0 AND (SELECT count(*) FROM fits) > 0"
+if wait_until 240 "$finished"; then check "every job is done"; else wrong "jobs are left"; fi
 rounds=$(ls -d "$results"/slurm/*/ | wc -l)
 if [ "$rounds" -gt 1 ]; then check "what was killed came in another round"; else wrong "one round was enough"; fi
 
 # Elements that Slurm runs twice, and shards merged twice, change nothing.
 first=$(ls -d "$results"/slurm/*/ | head -1)
-for i in 0 1 2 3; do
-  SLURM_ARRAY_TASK_ID=$i SLURM_JOB_ID=99$i bash "$first/array.sh" >/dev/null || wrong "element $i again"
+for i in 0 1 2 3 4 5; do
+  SLURM_ARRAY_TASK_ID=$i SLURM_JOB_ID=99$i timeout 240 bash "$first/array.sh" >/dev/null || wrong "element $i again"
 done
-text=$("$program" merge "$first"/shard-? --results "$results") || wrong "merging again: $text"
+text=$(run merge "$first"/shard-? --results "$results") || wrong "merging again: $text"
 expect "merging again changes nothing" "$text" '^0 jobs merged, 16 known already'
-"$harness" --compare "$work/calm" "$results" || wrong "the catalog differs from the undisturbed one"
+timeout 240 "$harness" --compare "$work/calm" "$results" || wrong "the catalog differs from the undisturbed one"
 ls "$results"/slurm/*/*.tmp 2>/dev/null && wrong "halves are left"
+
+# A search: each round is an array, and its merge asks for the next.
+results=$work/searched
+run run "$search" --results "$work/calm-search" -q || wrong "the search on one machine"
+text=$(run run "$search" --results "$results" --engine slurm -j 1 --shards 2 --shard-time 0.1 --rounds 1) ||
+  wrong "submitting the search: $text"
+expect "the search is submitted" "$text" 'submitted: array [0-9]+, merge [0-9]+'
+if wait_until 120 "SELECT count(*) FROM critical_speed"; then check "the search ends"; else wrong "the search goes on"; fi
+rounds=$(ls -d "$results"/slurm/*/ | wc -l)
+if [ "$rounds" -gt 1 ]; then check "in $rounds rounds"; else wrong "in $rounds rounds"; fi
+brackets="SELECT * FROM critical_speed ORDER BY position"
+[ "$(run query "$brackets" --format csv --results "$results")" = \
+  "$(run query "$brackets" --format csv --results "$work/calm-search")" ] || wrong "other brackets"
+timeout 240 "$harness" --compare "$work/calm-search" "$results" || wrong "the searched catalogs differ"
 exit $((failures > 0))

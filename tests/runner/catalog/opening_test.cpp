@@ -214,7 +214,7 @@ TEST_F(Opening, a_catalog_that_was_being_made_when_the_process_was_killed_is_fin
   waitpid(child, nullptr, 0);
   ASSERT_TRUE(fs::exists(path.string() + "-journal"));
   EXPECT_THROW(open_for_reading(results), UnfinishedCatalog);
-  EXPECT_FALSE(measured_updates_per_second(results));  // the first that `run` asks
+  EXPECT_TRUE(measured_costs(results).empty());  // the first that `run` asks
   EXPECT_EQ(integer(*open_for_writing(results), "PRAGMA user_version"), version);
 }
 

@@ -95,6 +95,23 @@ TEST_F(Query, refuses_everything_else) {
   EXPECT_FALSE(std::filesystem::exists(other));
 }
 
+TEST_F(Query, ends_what_takes_too_long_or_too_much) {
+  const auto message_of = [&](const std::string& sql) -> std::string {
+    try {
+      Rows rows;
+      query(folder.path(), sql, rows, {}, 0.1);
+    } catch (const CatalogError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(
+      message_of("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT count(*) FROM n"),
+      testing::HasSubstr("too long"));
+  EXPECT_THAT(message_of("SELECT hex(zeroblob(900000000))"), testing::HasSubstr("too big"));
+  EXPECT_EQ(message_of("SELECT 1"), "");
+}
+
 TEST_F(Query, says_what_is_allowed) {
   try {
     query(folder.path(), "DELETE FROM job");
