@@ -22,7 +22,7 @@ constexpr std::string_view viridis =
     "(0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', 7 "
     "'#addc30', "
     "8 '#fde725')";
-constexpr std::string_view grey = "(0 '#000000', 1 '#e8e8e8')";
+constexpr std::string_view grey = "(0 '#000000', 1 '#ffffff')";
 
 void check(const FieldPlot& plot) {
   bool something = false;
@@ -119,6 +119,11 @@ std::string frame_script(const FieldPlot& plot, const Layout& l, const Window& w
   const double bar_x = (l.x(l.columns - 1) + l.panel_width + 16) / width;
   const double bar_low = 1 - (l.y(l.rows - 1) + l.panel_height) / height, bar_high = 1 - l.y(0) / height;
   std::string text = fmt::format("set palette defined {}\n", plot.palette == Palette::grey ? grey : viridis);
+  // The paper's grey goes to white: emptiness has a tint, to be told from what is hottest.
+  if (plot.palette == Palette::grey)
+    text +=
+        "set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fs solid noborder fc rgb "
+        "'#cfe2f3'\n";
   text +=
       fmt::format("set cbrange [{:.6g}:{:.6g}]\n", range.first * value.factor, range.second * value.factor);
   text += fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n", w.x_min * length.factor,

@@ -26,7 +26,10 @@ button{font:inherit;font-size:.9rem;padding:3px 12px;border:1px solid var(--line
 .scale{display:flex;align-items:center;gap:8px;max-width:380px;font-size:.82rem;color:var(--soft)}
 .scale i{flex:1;height:10px;background:linear-gradient(90deg,#440154,#472d7b,#3b528b,#2c728e,#21918c,#28ae80,#5ec962,#addc30,#fde725)}
 footer{color:var(--soft);font-size:.82rem;padding-block:24px}
-@media(max-width:600px){header,main,footer{padding-inline:14px}h1{font-size:1.35rem}th,td{padding:5px 7px}}
+@media(max-width:600px){header,main,footer{padding-inline:14px}h1{font-size:1.35rem}th,td{padding:5px 7px}
+#claims table,#claims tbody,#claims tr,#claims td{display:block}#claims thead{display:none}
+#claims tr{border-top:1px solid var(--line);padding:6px 0}#claims td{border:0;padding:2px 10px}
+#claims td:nth-child(2){font-weight:600}#claims td:nth-child(n+4){color:var(--soft)}}
 )css";
 
 inline constexpr std::string_view page_script = R"js(

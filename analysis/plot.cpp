@@ -169,9 +169,19 @@ std::size_t characters(std::string_view utf8) {
   return static_cast<std::size_t>(std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
+/// More entries than this stand at the side: above the axes they would cover title and caption.
+constexpr std::size_t most_entries_above = 4;
+
+std::size_t legend_entries(const Plot& plot) {
+  std::size_t count = 0;
+  if (plot.fit && plot.fit->ok()) count += plot.fit->standard_errors.empty() ? 1 : 2;
+  for (const Series& s : plot.series) count += s.label.empty() ? 0 : 1;
+  return count;
+}
+
 /// Share of the figure's width that the legend at the side takes: its lines, and 7.2 points a character.
 double legend_width(const Plot& plot) {
-  std::size_t longest = 0;
+  std::size_t longest = plot.fit ? std::string_view("quadratic fit").size() : 0;
   for (const Series& s : plot.series) longest = std::max(longest, characters(s.label));
   if (longest == 0) return 0.02;
   return std::min(0.45, (74 + 7.2 * static_cast<double>(longest)) / figure_size.width);
@@ -179,6 +189,7 @@ double legend_width(const Plot& plot) {
 
 std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y) {
   const bool history = plot.kind == Plot::Kind::history;
+  const bool at_side = history || legend_entries(plot) > most_entries_above;
   const std::string caption = caption_of(plot, x, y);
   std::string text;
   text +=
@@ -194,7 +205,7 @@ std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y)
   text += "set border 3 lw 1 lc rgb '#333333'\nset tics nomirror out scale 0.7 tc rgb '#222222'\n";
   text += "set grid xtics ytics lt 1 lw 0.5 lc rgb '#dddddd'\nset format '%g'\n";
   text += "set lmargin at screen 0.105\nset bmargin at screen 0.135\n";
-  if (history) {
+  if (at_side) {
     const double right = 0.985 - legend_width(plot);
     text += fmt::format("set tmargin at screen {}\nset rmargin at screen {}\n",
                         caption.empty() ? 0.915 : 0.87, right);

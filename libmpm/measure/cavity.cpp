@@ -45,6 +45,9 @@ void Cavity::sample(const State& s) {
   if (now.void_area == 0 && closed_time_ < 0) closed_time_ = s.time;
   if (joined_outside() && joined_time_ < 0) joined_time_ = s.time;
   if (crossed_time_ < 0 && contour_.crosses_itself()) crossed_time_ = s.time;
+  if (topology_time_ < 0 && std::max({closed_time_, joined_time_, crossed_time_}) >= 0)
+    topology_time_ = s.time;
+  if (topology_time_ < 0) area_difference_ = std::max(area_difference_, std::abs(now.void_area - now.area));
   const bool itself = now.void_area > 0 && !void_.joined_outside() && !void_.touches_wall();
   const int others = void_.closed_regions() - (itself ? 1 : 0);
   most_new_ = std::max(most_new_, others);
@@ -99,6 +102,8 @@ void Cavity::finish(const State& s, RunResult& result) {
   } else {
     m.push_back({"contour_crossed_time_s", crossed_time_, "s", {}});
   }
+  m.push_back({"area_difference_m2", area_difference_, "m2", {}});
+  if (topology_time_ >= 0) m.push_back({"topology_changed_time_s", topology_time_, "s", {}});
   m.push_back({"final_void_area_m2", history_.back().void_area, "m2", {}});
   m.push_back({"new_cavities", static_cast<double>(most_new_), "1", {}});
   if (new_time_ >= 0) m.push_back({"new_cavities_time_s", new_time_, "s", {}});

@@ -15,7 +15,12 @@ namespace mpm {
 /// until it first crosses itself, looked at after every step; its error: what the two areas differed by at
 /// the sample next to it. It has a limit where the final area has none, because a cavity that closed was torn
 /// open again. Outcome: `collapsed` if the void is gone at the end, else `partial`. A void that opens again
-/// elsewhere after it was gone is not followed. Metrics: aspect_ratio (width / height),
+/// elsewhere after it was gone is not followed.
+///
+/// Contour and void measure one thing while the cavity is one hole in the block: until it closes, joins the
+/// outside or its contour crosses itself (topology_changed_time_s, the first of the three) they differ by
+/// less than a tenth of a strip one cell wide along the initial circle. area_difference_m2 is the most that
+/// they did up to then. Metrics: those; aspect_ratio (width / height),
 /// lower_upper_area_ratio, centroid_shift_m (along the impact, against the body's centre of mass), all three
 /// only for a contour that has not crossed itself; cavity_closed_time_s, cavity_joined_outside_time_s,
 /// contour_crossed_time_s, each only if it happened; final_void_area_m2; new_cavities (the most closed
@@ -46,6 +51,8 @@ class Cavity : public Measurement {
   int most_new_ = 0;                ///< closed empty regions beside the cavity, at one time
   double new_time_ = -1;            ///< when the first was seen [s]
   double closed_time_ = -1, joined_time_ = -1, crossed_time_ = -1;
+  double topology_time_ = -1;   ///< the first of the three [s]
+  double area_difference_ = 0;  ///< most between the two areas up to then [m^2]
 };
 
 }  // namespace mpm

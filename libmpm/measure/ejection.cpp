@@ -14,15 +14,6 @@ namespace {
 constexpr double least_share = 0.01;    ///< of the wall's mass that counts as ejected
 constexpr double watched_share = 0.05;  ///< of the wall's mass whose speed tells of arrest
 
-/// One connected part, as it is modelled.
-struct Part {
-  double mass = 0, momentum = 0;  ///< along the impact
-  double mass_apart = 0;          ///< of particles that have been apart long enough
-  bool on_axis = false;           ///< joined to its image in half a scene
-  double moment = 0;              ///< mass times height
-  double left = 0, right = 0;     ///< where it reaches from and to
-};
-
 /// Of the part with this number, the largest height between left and right.
 double highest_between(const Particles& ps, const ConnectedParts& connected, int number, double left,
                        double right) {
@@ -48,18 +39,37 @@ Ejection::Ejection(const Scene& s, const State& state)
       stop_early_(s.measures.stop == Stop::decided),
       apart_since_(state.particles.size(), -1) {}
 
+/// One connected part, as it is modelled.
+struct Ejection::Part {
+  double mass = 0, momentum = 0;  ///< along the impact
+  double mass_apart = 0;          ///< of particles that have been apart long enough
+  bool on_axis = false;           ///< joined to its image in half a scene
+  double moment = 0;              ///< mass times height
+  double left = 0, right = 0;     ///< where it reaches from and to
+
+  double whole(double modelled) const { return on_axis ? 2 * modelled : modelled; }
+};
+
+/// The body and what has come off it.
+struct Ejection::Parts {
+  ConnectedParts connected;
+  std::vector<Part> parts;
+  std::size_t body = 0;  ///< the heaviest
+
+  std::size_t of(std::size_t particle) const { return static_cast<std::size_t>(connected.part[particle]); }
+};
+
 void Ejection::sample(const State& s) {
-  find_ejecta(s);
-  if (verdict_ == Verdict::undecided) find_arrest(s);
+  Parts parts = parts_of(s.particles);
+  find_ejecta(s, parts);
+  if (verdict_ == Verdict::undecided) find_arrest(s, parts);
 }
 
-void Ejection::find_ejecta(const State& s) {
-  const Particles& ps = s.particles;
-  const ConnectedParts connected = connected_parts(ps.position, link_);
-  std::vector<Part> parts(static_cast<std::size_t>(connected.count));
-  const auto part_of = [&](std::size_t p) { return static_cast<std::size_t>(connected.part[p]); };
+Ejection::Parts Ejection::parts_of(const Particles& ps) const {
+  Parts all{connected_parts(ps.position, link_), {}, 0};
+  all.parts.resize(static_cast<std::size_t>(all.connected.count));
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    Part& part = parts[part_of(p)];
+    Part& part = all.parts[all.of(p)];
     const Vec2& x = ps.position[p];
     part.left = part.mass == 0 ? x.x() : std::min(part.left, x.x());
     part.right = part.mass == 0 ? x.x() : std::max(part.right, x.x());
@@ -68,27 +78,29 @@ void Ejection::find_ejecta(const State& s) {
     part.momentum += ps.mass[p] * ps.velocity[p].y();
     part.on_axis |= half_ && x.x() < 0.5 * link_;
   }
-  const auto body = static_cast<std::size_t>(
-      std::max_element(parts.begin(), parts.end(),
-                       [](const Part& a, const Part& b) { return a.mass < b.mass; }) -
-      parts.begin());
+  all.body =
+      static_cast<std::size_t>(std::ranges::max_element(all.parts, {}, &Part::mass) - all.parts.begin());
+  return all;
+}
+
+void Ejection::find_ejecta(const State& s, Parts& all) {
+  const Particles& ps = s.particles;
   for (std::size_t p = 0; p < ps.size(); ++p) {
     double& since = apart_since_[p];
-    if (part_of(p) == body)
+    if (all.of(p) == all.body)
       since = -1;
     else if (since < 0)
       since = s.time;
-    if (since >= 0 && s.time - since >= hold_) parts[part_of(p)].mass_apart += ps.mass[p];
+    if (since >= 0 && s.time - since >= hold_) all.parts[all.of(p)].mass_apart += ps.mass[p];
   }
   ejected_mass_ = ejected_momentum_ = 0;
   double fastest = 0;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Part& part = parts[k];
-    const double whole = part.on_axis ? 2 : 1;
+  for (std::size_t k = 0; k < all.parts.size(); ++k) {
+    const Part& part = all.parts[k];
     const double speed = part.momentum / part.mass;
-    if (k == body || whole * part.mass_apart < least_share * wall_mass_ || speed <= speed_) continue;
+    if (k == all.body || part.whole(part.mass_apart) < least_share * wall_mass_ || speed <= speed_) continue;
     if (part.moment / part.mass <=
-        highest_between(ps, connected, static_cast<int>(body), part.left, part.right))
+        highest_between(ps, all.connected, static_cast<int>(all.body), part.left, part.right))
       continue;  // inside: debris in a cavity
     ejected_mass_ += (half_ ? 2 : 1) * part.mass;
     ejected_momentum_ += (half_ ? 2 : 1) * part.momentum;
@@ -97,13 +109,18 @@ void Ejection::find_ejecta(const State& s) {
   if (ejected_mass_ > 0) decide(Verdict::ejected, s.time, fastest / speed_ - 1);
 }
 
-void Ejection::find_arrest(const State& s) {
+void Ejection::find_arrest(const State& s, const Parts& all) {
   if (s.time < arrival_) return;
   const Particles& ps = s.particles;
   std::vector<std::pair<double, double>> risers;  // speed, mass
-  for (std::size_t p = 0; p < ps.size(); ++p)
-    if (std::abs(ps.position[p].x()) < radius_ && ps.velocity[p].y() > 0)
-      risers.emplace_back(ps.velocity[p].y(), (half_ ? 2 : 1) * ps.mass[p]);
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    const Part& part = all.parts[all.of(p)];
+    const bool body = all.of(p) == all.body;
+    if (!body && part.whole(part.mass) < least_share * wall_mass_) continue;
+    const double speed = body ? ps.velocity[p].y() : part.momentum / part.mass;
+    if (std::abs(ps.position[p].x()) < radius_ && speed > 0)
+      risers.emplace_back(speed, (half_ ? 2 : 1) * ps.mass[p]);
+  }
   std::ranges::sort(risers, std::greater<>());
   double mass = 0, speed = 0;
   for (const auto& [v, m] : risers) {

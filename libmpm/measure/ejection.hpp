@@ -14,7 +14,9 @@ namespace mpm {
 /// planar shock does: 2 u against the moving body (doubling: within 3 % of the exact release up to 1500 m/s),
 /// u against the wall. `arrested`: nothing is ejected, and for `detached_for` the fastest twentieth of the
 /// wall's mass near the axis (|x| < R) has risen slower than that; counted from H/c0 + R/u on, when shock and
-/// jet have arrived. Since tension only slows what rises, such a wall does not come off later; `mpmstudy run
+/// jet have arrived. What has come off has the speed of its part, whose particles can only share what it has;
+/// fragments that are too small to be ejected do not count. Since tension only slows what rises, such a wall
+/// does not come off later; `mpmstudy run
 /// --audit` asks. `undecided`: neither by the end of the run. With Measures::stop = decided, the first
 /// verdict ends it. Separation in MPM is numerical, by about a cell: verdicts depend on the cell.
 ///
@@ -32,8 +34,12 @@ class Ejection : public Measurement {
  private:
   enum class Verdict { undecided, ejected, arrested };
 
-  void find_ejecta(const State&);
-  void find_arrest(const State&);
+  struct Part;
+  struct Parts;
+
+  Parts parts_of(const Particles&) const;
+  void find_ejecta(const State&, Parts&);
+  void find_arrest(const State&, const Parts&);
   void decide(Verdict, double time, double margin);
 
   double speed_;          ///< of the planar free surface against the wall [m/s]

@@ -12,16 +12,21 @@ namespace {
 
 struct State {
   std::string status, outcome;
+  double margin = 0;  ///< distance from the other outcome; 0 if the run does not say
 };
 
 std::unordered_map<std::string, State> states_of(const std::filesystem::path& results,
                                                  const std::string& study) {
   std::unordered_map<std::string, State> states;
   const SqlValue name = study;
-  const Rows rows = query(results, "SELECT key, status, coalesce(outcome, '') FROM jobs WHERE study = ?1",
-                          std::span(&name, 1));
+  const Rows rows =
+      query(results,
+            "SELECT j.key, j.status, coalesce(j.outcome, ''), coalesce(m.value, 0.0) FROM jobs j LEFT JOIN "
+            "metrics m ON m.key = j.key AND m.name = 'decision_margin' WHERE j.study = ?1",
+            std::span(&name, 1));
   for (const auto& row : rows.rows)
-    states[std::get<std::string>(row[0])] = {std::get<std::string>(row[1]), std::get<std::string>(row[2])};
+    states[std::get<std::string>(row[0])] = {std::get<std::string>(row[1]), std::get<std::string>(row[2]),
+                                             std::get<double>(row[3])};
   return states;
 }
 
@@ -90,7 +95,8 @@ class SearchRun {
       const auto states = states_of(results_, all.name);
       for (const mpm::Scene& scene : scenes) {
         const std::string key = job_key(scene);
-        search.tell(key, verdict_of(states.at(key), study_.search->outcome));
+        const State& state = states.at(key);
+        search.tell(key, verdict_of(state, study_.search->outcome), state.margin);
       }
     }
     report_.brackets = search.brackets();

@@ -25,9 +25,7 @@ void judge(Claim& c, bool holds, std::string measured, std::string note) {
 Claim initial_pressure(const Evidence& e) {
   Claim c = claim("initial-pressure", "Two bodies at 1500 m/s each: the initial pressure is about 30 GPa",
                   "planar-impact");
-  const auto p = e.number(c.study,
-                          "SELECT m.value FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND "
-                          "m.name = 'shock_pressure_Pa' AND j.impact_speed_m_s = 1500");
+  const auto p = e.metric(c.study, "shock_pressure_Pa", "j.impact_speed_m_s = 1500");
   if (p)
     judge(c, std::abs(*p / 30e9 - 1) < 0.05, fmt::format("{:.2f} GPa", *p / 1e9),
           "planar impact at the same particle speed; within 5 % counts");
@@ -38,13 +36,9 @@ Claim shock_outruns_wall(const Evidence& e) {
   Claim c = claim("shock-outruns-wall",
                   "The shock at the sides of the cavity is faster than the deforming upstream wall",
                   "planar-impact");
-  const auto at_1500 = [&](const std::string& name) {
-    return e.number(c.study,
-                    "SELECT m.value FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND "
-                    "j.impact_speed_m_s = 1500 AND m.name = '" +
-                        name + "'");
-  };
-  const auto shock = at_1500("plastic_wave_speed_m_s"), surface = at_1500("free_surface_speed_m_s");
+  const std::string at_1500 = "j.impact_speed_m_s = 1500";
+  const auto shock = e.metric(c.study, "plastic_wave_speed_m_s", at_1500),
+             surface = e.metric(c.study, "free_surface_speed_m_s", at_1500);
   if (shock && surface)
     judge(c, *shock > *surface,
           fmt::format("shock {:.0f} m/s, free surface {:.0f} m/s, both against the material ahead", *shock,
@@ -179,10 +173,7 @@ Claim lower_part(const Evidence& e) {
   Claim c = claim("lower-part-collapses-more",
                   "The lower part of the cavity collapses more, the more so the nearer the impact face",
                   "symmetry");
-  const auto ratios =
-      e.numbers(c.study,
-                "SELECT m.value FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND m.name = "
-                "'lower_upper_area_ratio' ORDER BY j.cavity_center_height_m");
+  const auto ratios = e.metrics(c.study, "lower_upper_area_ratio", "cavity_center_height_m");
   if (ratios.size() < 2) return c;
   judge(c, ratios[0] < 1 && ratios[0] < ratios.back(),
         fmt::format("area below / above the middle: {:.2f} nearest, {:.2f} farthest", ratios.front(),
@@ -195,9 +186,7 @@ Claim isotropic(const Evidence& e) {
   Claim c = claim("isotropic-far-away", "Farther from the impact face the collapse is nearly isotropic",
                   "symmetry");
   const auto ratios =
-      e.numbers(c.study,
-                "SELECT m.value FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND m.name = "
-                "'aspect_ratio' AND j.cavity_center_height_m > 1.9e-6 ORDER BY j.cavity_center_height_m");
+      e.metrics(c.study, "aspect_ratio", "cavity_center_height_m", "j.cavity_center_height_m > 1.95e-6");
   if (ratios.empty()) return c;
   const double roundest =
       *std::ranges::min_element(ratios, {}, [](double r) { return std::abs(std::log(r)); });
@@ -225,12 +214,11 @@ Claim hottest_below(const Evidence& e) {
 Claim falls_with_radius(const Evidence& e) {
   Claim c = claim("collapsibility-falls-with-radius",
                   "The collapsibility becomes larger when the cavity is smaller", "collapsibility-radius");
-  const auto phi = e.numbers(
-      c.study,
-      "SELECT collapsibility FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY cavity_radius_m");
+  const auto phi = e.collapsibilities(c.study, "cavity_radius_m");
   if (phi.size() > 1)
     judge(c, std::ranges::is_sorted(phi, std::greater<>()),
-          fmt::format("{:.3f} to {:.3f}", phi.front(), phi.back()), "at every radius");
+          fmt::format("{:.3f} to {:.3f}", phi.front(), phi.back()) + e.largest_interval(c.study),
+          "at every radius");
   return c;
 }
 
@@ -238,14 +226,14 @@ Claim falls_with_yield(const Evidence& e) {
   Claim c = claim("collapsibility-falls-with-yield",
                   "The collapsibility decreases parabolically with the initial yield stress",
                   "collapsibility-yield");
-  const auto phi = e.numbers(
-      c.study,
-      "SELECT collapsibility FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY yield_stress_Pa");
+  const auto phi = e.collapsibilities(c.study, "yield_stress_Pa");
   const auto r2 =
       e.number(c.study, "SELECT r2 FROM fits WHERE study = ?1 AND quantity = 'collapsibility' LIMIT 1");
   if (phi.size() > 1 && r2)
     judge(c, std::ranges::is_sorted(phi, std::greater<>()) && *r2 > 0.99,
-          fmt::format("{:.3f} to {:.3f}; parabola with r2 = {:.4f}", phi.front(), phi.back(), *r2), "");
+          fmt::format("{:.3f} to {:.3f}; parabola with r2 = {:.4f}", phi.front(), phi.back(), *r2) +
+              e.largest_interval(c.study),
+          "");
   return c;
 }
 
@@ -253,7 +241,7 @@ Claim scale_invariance(const Evidence& e) {
   Claim c = claim("scale-invariance",
                   "The behaviour is the same if spatial and temporal scales are magnified alike",
                   "scale-invariance");
-  const auto phi = e.numbers(c.study, "SELECT collapsibility FROM jobs WHERE study = ?1 AND status = 'done'");
+  const auto phi = e.collapsibilities(c.study, "position");
   if (phi.size() > 1)
     judge(c, std::ranges::all_of(phi, [&](double p) { return p == phi[0]; }),
           fmt::format("{:.17g} at {} scales", phi[0], phi.size()), "to the last bit");

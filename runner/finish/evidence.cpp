@@ -1,5 +1,7 @@
 #include "runner/finish/evidence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -61,11 +63,30 @@ std::vector<double> Evidence::numbers(const std::string& study, const std::strin
   return values;
 }
 
-std::optional<double> Evidence::metric(const std::string& study, const std::string& name) const {
-  return number(study,
-                "SELECT m.value FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND "
-                "j.status = 'done' AND m.name = '" +
-                    name + "' ORDER BY j.position LIMIT 1");
+std::vector<double> Evidence::metrics(const std::string& study, const std::string& name,
+                                      const std::string& order, const std::string& condition) const {
+  return numbers(study,
+                 "SELECT m.value FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND j.status = "
+                 "'done' AND m.name = '" +
+                     name + "' AND " + condition + " ORDER BY j." + order);
+}
+
+std::optional<double> Evidence::metric(const std::string& study, const std::string& name,
+                                       const std::string& condition) const {
+  const auto values = metrics(study, name, "position", condition);
+  return values.empty() ? std::nullopt : std::optional(values.front());
+}
+
+std::vector<double> Evidence::collapsibilities(const std::string& study, const std::string& order) const {
+  return numbers(study,
+                 "SELECT collapsibility FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY " + order);
+}
+
+std::string Evidence::largest_interval(const std::string& study) const {
+  const auto share = number(study,
+                            "SELECT max(error / value) FROM accuracy WHERE study = ?1 "
+                            "AND quantity = 'collapsibility'");
+  return share ? fmt::format("; intervals of at most {:.1f} %", 100 * *share) : "";
 }
 
 std::vector<HotSpot> Evidence::hot_spots(const std::string& study) const {

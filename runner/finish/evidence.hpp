@@ -24,8 +24,18 @@ class Evidence {
   std::optional<double> number(const std::string& study, const std::string& sql) const;
   std::optional<std::string> text(const std::string& study, const std::string& sql) const;
   std::vector<double> numbers(const std::string& study, const std::string& sql) const;
-  /// A metric of the study's first done job.
-  std::optional<double> metric(const std::string& study, const std::string& name) const;
+  /// A metric of the study's first done job, or of the first that a condition on the view `jobs` (j) holds
+  /// for.
+  std::optional<double> metric(const std::string& study, const std::string& name,
+                               const std::string& condition = "1") const;
+  /// A metric of all done jobs that the condition holds for, in the order of a column of the view `jobs`.
+  std::vector<double> metrics(const std::string& study, const std::string& name, const std::string& order,
+                              const std::string& condition = "1") const;
+  /// Collapsibility of all done jobs, in the order of a column of the view `jobs`.
+  std::vector<double> collapsibilities(const std::string& study, const std::string& order) const;
+  /// "; intervals of at most 1.2 %": of the collapsibilities for cells of size 0; empty without several
+  /// cells.
+  std::string largest_interval(const std::string& study) const;
   /// Of the study's first done job, one a snapshot, in order of time.
   std::vector<HotSpot> hot_spots(const std::string& study) const;
 

@@ -32,7 +32,7 @@ bool draw_history(const Study& study, const StudyResults& results, const FigureR
   plot.x = analysis::named_quantity("time");
   plot.y = analysis::named_quantity("area");
   plot.y_from_zero = true;
-  for (const Group& group : group_jobs(study, results, ""))
+  for (const Group& group : group_jobs(study, results, {}))
     for (const JobResults* job : group.jobs) {
       analysis::Series series{group.label, {}, {}, {}};
       for (const mpm::AreaSample& sample : area_history_of(results, *job)) {
@@ -47,20 +47,20 @@ bool draw_history(const Study& study, const StudyResults& results, const FigureR
   return true;
 }
 
-/// Critical values for cells of size 0, and the curve through them if the study asks for one. One family
-/// only: a curve a figure.
+/// Critical values for cells of size 0, and the curve through them if the study asks for one. Several
+/// families have several curves; one formula under the title would speak of one of them only.
 void add_extrapolated(const Study& study, const StudyResults& results, const FigureRequest& request,
                       analysis::Plot& plot) {
   const std::string y = "critical_speed_extrapolated";
-  for (const Group& group : group_jobs(study, results, request.x)) {
-    Column c = column_of(results, group, request.x, y);
+  const auto fit =
+      std::ranges::find_if(study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == y; });
+  const auto families = group_jobs(study, results, curve_of(study, request.x, y));
+  for (const Group& family : families) {
+    Column c = column_of(results, family, request.x, y);
     if (c.x.empty()) continue;
-    const auto fit =
-        std::ranges::find_if(study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == y; });
-    if (!plot.fit && fit != study.fits.end())
-      plot.fit = analysis::fit_polynomial(*analysis::fit_model(fit->model), c.x, c.y);
-    plot.series.push_back(
-        {group.label + ", extrapolated to h = 0", std::move(c.x), std::move(c.y), std::move(c.y_error)});
+    if (families.size() == 1 && fit != study.fits.end()) plot.fit = fit_column(*fit, c);
+    plot.series.push_back({(family.label.empty() ? "" : family.label + ", ") + "h → 0", std::move(c.x),
+                           std::move(c.y), std::move(c.y_error)});
   }
 }
 
@@ -72,15 +72,14 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   plot.footer = footer_of(results);
   plot.x = analysis::named_quantity(request.x, mpm::find_quantity(request.x)->unit);
   plot.y = analysis::named_quantity(request.y, unit_of(results, request.y));
-  const auto groups = group_jobs(study, results, request.x);
+  const auto groups = group_jobs(study, results, curve_of(study, request.x, request.y));
   for (const Group& group : groups) {
     Column c = column_of(results, group, request.x, request.y);
     if (c.x.empty()) continue;
     const auto fit = std::ranges::find_if(
         study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == request.y; });
     // Several groups have several curves; one formula under the title would speak of one of them only.
-    if (groups.size() == 1 && fit != study.fits.end())
-      plot.fit = analysis::fit_polynomial(*analysis::fit_model(fit->model), c.x, c.y);
+    if (groups.size() == 1 && fit != study.fits.end()) plot.fit = fit_column(*fit, c);
     plot.series.push_back({group.label.empty() ? "simulation" : group.label, std::move(c.x), std::move(c.y),
                            std::move(c.y_error)});
   }
@@ -101,7 +100,7 @@ analysis::FieldPanel panel_of(const mpm::Snapshot& s, const std::string& field) 
 std::vector<fs::path> draw_fields(const Study& study, const StudyResults& results,
                                   const FigureRequest& request, const fs::path& stem) {
   std::vector<fs::path> stems;
-  const auto groups = group_jobs(study, results, "");
+  const auto groups = group_jobs(study, results, {});
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const JobResults& job = *groups[g].jobs.front();
     analysis::FieldPlot plot;

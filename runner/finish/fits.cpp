@@ -34,15 +34,21 @@ Column column_of(const StudyResults& results, const Group& group, const std::str
   return column;
 }
 
+analysis::Fit fit_column(const FitRequest& request, const Column& c) {
+  const bool weighed = request.y == "critical_speed_extrapolated";
+  return analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y,
+                                  weighed ? std::span<const double>(c.y_error) : std::span<const double>());
+}
+
 Fits fit_study(const Study& study, const StudyResults& results) {
   Fits fits;
   for (const FitRequest& request : study.fits) {
     const std::string y_unit = unit_of(results, request.y);
     const std::string_view x_unit = mpm::find_quantity(request.x)->unit;
-    for (const Group& group : group_jobs(study, results, request.x)) {
+    for (const Group& group : group_jobs(study, results, curve_of(study, request.x, request.y))) {
       const Column c = column_of(results, group, request.x, request.y);
       if (c.x.empty() && study.search) continue;  // extrapolated values stand on the finest cell alone
-      const analysis::Fit fit = analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y);
+      const analysis::Fit fit = fit_column(request, c);
       const std::string model = group.label.empty() ? request.model : request.model + ", " + group.label;
       if (!fit.ok()) {
         fits.problems.push_back(

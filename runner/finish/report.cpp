@@ -145,6 +145,21 @@ analysis::PageSection section_of(const Study& study, const fs::path& folder) {
         "SELECT " + columns_of(study.swept) +
             "status, outcome, collapsibility, collapsibility_error, energy_error, particles, steps, cpu_s, "
             "substr(key, 1, 12) AS job FROM jobs WHERE study = ?1 ORDER BY position");
+  if (study.search)
+    add("Audit: runs that stopped when decided, run to their end",
+        "SELECT a.wall_thickness_m, a.cell_size_m, a.impact_speed_m_s, e.outcome AS stopped_early, a.outcome "
+        "AS run_to_end, substr(a.key, 1, 12) AS job FROM jobs a JOIN jobs e ON e.study = ?1 AND a.study = "
+        "e.study || '-audit' AND a.wall_thickness_m = e.wall_thickness_m AND a.cell_size_m = e.cell_size_m "
+        "AND "
+        "a.impact_speed_m_s = e.impact_speed_m_s AND a.spall_strength_Pa IS e.spall_strength_Pa ORDER BY 1, "
+        "2, "
+        "3");
+  else
+    add("Error bars from several cells",
+        "SELECT " + columns_of(study.swept) +
+            "a.value, a.error, a.extrapolated_value, a.extrapolated_error, a.observed_order, a.method, "
+            "substr(a.key, 1, 12) AS job FROM accuracy a JOIN jobs j ON j.key = a.key AND j.study = a.study "
+            "WHERE a.study = ?1 AND a.quantity = 'collapsibility' ORDER BY j.position");
   add("Fits",
       "SELECT quantity, against, model, coefficient, value, standard_error, r2, unit FROM fits WHERE study = "
       "?1");

@@ -150,12 +150,14 @@ std::vector<std::filesystem::path> snapshots_of(const StudyResults& results, con
   return files;
 }
 
-std::vector<Group> group_jobs(const Study& study, const StudyResults& results, const std::string& x) {
+std::vector<Group> group_jobs(const Study& study, const StudyResults& results,
+                              const std::vector<std::string>& within) {
   std::vector<Group> groups;
   for (const JobResults& job : results.done) {
     std::string label;
     for (const std::string& name : study.swept)
-      if (name != x) label += (label.empty() ? "" : ", ") + label_of(name, job.scene);
+      if (std::ranges::find(within, name) == within.end())
+        label += (label.empty() ? "" : ", ") + label_of(name, job.scene);
     const auto same = std::ranges::find(groups, label, &Group::label);
     if (same == groups.end())
       groups.push_back({label, {&job}});
@@ -163,6 +165,14 @@ std::vector<Group> group_jobs(const Study& study, const StudyResults& results, c
       same->jobs.push_back(&job);
   }
   return groups;
+}
+
+std::vector<std::string> curve_of(const Study& study, const std::string& x, const std::string& y) {
+  std::set<double> places;
+  for (const mpm::Scene& scene : study.scenes) places.insert(mpm::find_quantity(x)->get(scene));
+  if (places.size() == study.scenes.size()) return study.swept;
+  if (y == "critical_speed_extrapolated") return {x, "cell_size"};
+  return {x};
 }
 
 }  // namespace mpmstudy

@@ -48,12 +48,15 @@ std::vector<mpm::AreaSample> area_history_of(const StudyResults&, const JobResul
 /// Files of a job's snapshots, in order of time.
 std::vector<std::filesystem::path> snapshots_of(const StudyResults&, const JobResults&);
 
-/// Jobs that differ in `x` alone, and what sets them apart from the other groups.
+/// Jobs that differ in a few swept names alone, and what sets them apart from the other groups.
 struct Group {
   std::string label;  ///< "h = 0.1 um"; empty if there is one group
   std::vector<const JobResults*> jobs;
 };
-/// Groups by all that the study sweeps apart from `x` (a quantity; "" groups every job by itself).
-std::vector<Group> group_jobs(const Study&, const StudyResults&, const std::string& x);
+/// Groups by all that the study sweeps apart from `within`; without any, every job is a group.
+std::vector<Group> group_jobs(const Study&, const StudyResults&, const std::vector<std::string>& within);
+/// What jobs on one curve of `y` against `x` differ in: x; cells, where y is extrapolated from them;
+/// everything, where no two scenes have the same x (mode = "zip").
+std::vector<std::string> curve_of(const Study&, const std::string& x, const std::string& y);
 
 }  // namespace mpmstudy

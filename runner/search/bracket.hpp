@@ -34,14 +34,22 @@ struct Bracket {
   int lower = 0, upper = 0;  ///< indices of the lattice
 };
 
+/// Where a value is thought to be, and how far from it to step if it is not there; indices of the lattice.
+struct Guess {
+  int at = 0, step = 2;
+};
+
 class BracketSearch {
  public:
-  /// `guess`: index near which to begin; without one the whole lattice is searched.
-  explicit BracketSearch(int intervals, std::optional<int> guess = {});
+  /// Without a guess the whole lattice is searched.
+  explicit BracketSearch(int intervals, std::optional<Guess> guess = {});
 
-  void tell(int index, Verdict);
-  /// What to try next, at most `most` values (at least two to begin with, so that both sides are tried);
-  /// empty: nothing is left to try. Depends on nothing but what was told.
+  /// `distance`: how far the run was from the other verdict, in any one measure, 0 if it is not known.
+  void tell(int index, Verdict, double distance = 0);
+  /// What to try next, at most `most` values (without a guess at least three to begin with); empty: nothing
+  /// is left to try. Depends on nothing but what was told. Between two ends one value is half way between
+  /// their middle and where the straight line through their distances changes sign: distances tell where to
+  /// look, but not how far along a straight line.
   std::vector<int> next(int most) const;
 
   /// Smallest value above and the largest below it; empty until both are known.
@@ -52,13 +60,19 @@ class BracketSearch {
   std::string flags(const Lattice&) const;
 
  private:
-  bool known(int index) const { return verdicts_.contains(index); }
+  bool known(int index) const { return told_.contains(index); }
   std::vector<int> outwards() const;
   std::vector<int> inwards(int low, int high, int most) const;
+  int between(const Bracket&) const;
+
+  struct Told {
+    Verdict verdict = Verdict::broken;
+    double distance = 0;
+  };
 
   int intervals_;
-  std::optional<int> guess_;
-  std::map<int, Verdict> verdicts_;
+  std::optional<Guess> guess_;
+  std::map<int, Told> told_;
 };
 
 }  // namespace mpmstudy

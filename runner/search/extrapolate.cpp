@@ -12,13 +12,16 @@ std::optional<Extrapolated> extrapolate(std::span<const CellBracket> cells) {
   double way = (fine.middle() - coarse.middle()) * slope;
   double doubt = std::abs(way);
   if (cells.size() > 2) {
-    const double before = std::abs(coarse.middle() - cells[cells.size() - 3].middle());
-    const double last = std::abs(fine.middle() - coarse.middle());
-    if (last > before) {  // they do not come closer: there is nothing to go on with
+    const double before = coarse.middle() - cells[cells.size() - 3].middle();
+    const double last = fine.middle() - coarse.middle();
+    if (last * before < 0) {  // they turn: there is no line to go on with
       way = 0;
-      doubt = last;
+      doubt = std::max(std::abs(last), std::abs(before));
+    } else if (std::abs(last) > std::abs(before)) {  // they do not come closer
+      way = 0;
+      doubt = std::abs(last);
     } else if (way == 0) {
-      doubt = before;
+      doubt = std::abs(before);
     }
   }
   const double widths = fine.half_width() * (1 + slope) + coarse.half_width() * slope;

@@ -1,6 +1,7 @@
 #include "runner/search/search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -10,10 +11,11 @@
 namespace mpmstudy {
 namespace {
 
-/// Runs of a round that are aimed at: a few points get several values each, many points one. A constant, not
-/// the number of workers: rounds must not depend on the machine.
-constexpr int runs_a_round = 8;
-constexpr int most_values = 3;
+/// Runs of a round that are aimed at: one value a point, which needs the fewest runs; two where few points
+/// are left and workers would wait. A constant, not the number of workers: rounds must not depend on the
+/// machine.
+constexpr int runs_a_round = 4;
+constexpr int most_values = 2;
 
 const mpm::Quantity* axis_of(const Study& study) {
   for (const std::string& name : study.swept)
@@ -59,25 +61,24 @@ std::optional<double> Search::found_at(std::size_t family, double along, double 
   return std::nullopt;
 }
 
-/// Where to begin: the coarser cells of the same point, going on as the two coarsest did (first order in the
-/// cell); on the coarsest cell, the straight line between the neighbours that are found.
-std::optional<int> Search::guess(const Entry& entry) const {
+/// Where to begin: where the next coarser cell has it; the line through two coarser cells was no better
+/// (critical speeds scatter about any line in the cell). On the coarsest cell: on the straight line between
+/// the neighbours that are found. The step is what was seen to be left: a thirtieth, or half of what the
+/// cells before differ by.
+std::optional<Guess> Search::guess(const Entry& entry) const {
   const SearchPoint& p = entry.point;
-  std::vector<std::pair<double, double>> coarser;  // cell, index; coarse first
-  for (const Entry& e : entries_)
-    if (e.point.cell > p.cell)
-      if (const auto middle = found_at(p.family, p.along, e.point.cell);
-          middle && e.point.family == p.family && e.point.along == p.along)
-        coarser.emplace_back(e.point.cell, *middle);
-  const auto limited = [this](double index) {
-    return static_cast<int>(std::clamp(index, 0.0, static_cast<double>(lattice_.intervals)));
+  const auto begin = [this](double at, double last_change) {
+    const double value = lattice_.lower + (lattice_.upper - lattice_.lower) * at / lattice_.intervals;
+    const double share = value / 30 / (lattice_.upper - lattice_.lower) * lattice_.intervals;
+    return Guess{static_cast<int>(std::lround(at)),
+                 static_cast<int>(std::lround(std::max({2.0, share, 0.5 * std::abs(last_change)})))};
   };
-  if (coarser.size() == 1) return limited(coarser[0].second);
-  if (coarser.size() > 1) {
-    const auto [h1, y1] = coarser[coarser.size() - 2];
-    const auto [h2, y2] = coarser.back();
-    return limited(y2 + (y2 - y1) * (h2 - p.cell) / (h1 - h2));
-  }
+  std::vector<double> coarser;  // indices, coarse first
+  for (const Entry& e : entries_)
+    if (e.point.cell > p.cell && e.point.family == p.family && e.point.along == p.along)
+      if (const auto middle = found_at(p.family, p.along, e.point.cell)) coarser.push_back(*middle);
+  if (coarser.size() == 1) return begin(coarser[0], 0);
+  if (coarser.size() > 1) return begin(coarser.back(), coarser.back() - coarser[coarser.size() - 2]);
   std::optional<std::pair<double, double>> left, right;
   for (const Entry& e : entries_) {
     if (e.point.family != p.family || e.point.cell != p.cell) continue;
@@ -87,8 +88,9 @@ std::optional<int> Search::guess(const Entry& entry) const {
     if (e.point.along > p.along && (!right || e.point.along < right->first)) right = {e.point.along, *middle};
   }
   if (!left || !right) return std::nullopt;
-  return limited(left->second +
-                 (right->second - left->second) * (p.along - left->first) / (right->first - left->first));
+  return begin(
+      left->second + (right->second - left->second) * (p.along - left->first) / (right->first - left->first),
+      0);
 }
 
 /// Starts the searches whose guesses are there. On the coarsest cell both ends of the axis begin without one,
@@ -140,10 +142,10 @@ std::vector<mpm::Scene> Search::next_round() {
   return scenes;
 }
 
-void Search::tell(const std::string& key, Verdict verdict) {
+void Search::tell(const std::string& key, Verdict verdict, double distance) {
   for (Entry& e : entries_)
     for (const auto& [index, run] : e.runs)
-      if (run == key) e.search->tell(index, verdict);
+      if (run == key) e.search->tell(index, verdict, distance);
 }
 
 std::vector<FoundBracket> Search::brackets() const {

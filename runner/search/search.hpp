@@ -40,8 +40,9 @@ class Search {
 
   /// Scenes of the next round, each once; empty: the search has ended. Call tell() for each of them first.
   std::vector<mpm::Scene> next_round();
-  /// key: job_key of a scene of the last round; failed jobs are Verdict::broken.
-  void tell(const std::string& key, Verdict);
+  /// key: job_key of a scene of the last round; failed jobs are Verdict::broken. `distance`: see
+  /// BracketSearch.
+  void tell(const std::string& key, Verdict, double distance = 0);
 
   std::vector<FoundBracket> brackets() const;
 
@@ -53,7 +54,7 @@ class Search {
   };
   mpm::Scene scene_at(const Entry&, int index) const;
   void start_ready();
-  std::optional<int> guess(const Entry&) const;
+  std::optional<Guess> guess(const Entry&) const;
   std::optional<double> found_at(std::size_t family, double along, double cell) const;
 
   const mpm::Quantity* critical_;

@@ -49,10 +49,10 @@ TEST(BracketSearch, FindsEveryCriticalValueWithAnyWidthOfRounds) {
     }
 }
 
-TEST(BracketSearch, AGoodGuessTakesTwoRunsAndABadOneIsLeft) {
+TEST(BracketSearch, AGoodGuessTakesFewRunsAndABadOneIsLeft) {
   for (int guess = 0; guess <= 180; guess += 9)
     for (int critical = 1; critical <= 180; critical += 7) {
-      BracketSearch search(180, guess);
+      BracketSearch search(180, Guess{guess, 2});
       const int tried = run(search, from(critical), 1);
       ASSERT_TRUE(search.bracket()) << guess << ' ' << critical;
       EXPECT_EQ(search.bracket()->upper, critical);
@@ -62,8 +62,29 @@ TEST(BracketSearch, AGoodGuessTakesTwoRunsAndABadOneIsLeft) {
     }
 }
 
+// Straight distances find the value in fewer runs; those that bend, as real ones do, cost none.
+TEST(BracketSearch, DistancesFromTheOtherVerdictSaveRuns) {
+  const auto runs = [](double slope_below, double slope_above) {
+    int count = 0;
+    for (int critical = 21; critical <= 60; ++critical) {
+      BracketSearch search(180, Guess{20, 40});
+      for (auto next = search.next(1); !next.empty(); next = search.next(1))
+        for (const int i : next) {
+          const double way = i - critical + 0.5;
+          search.tell(i, from(critical)(i), way * (way < 0 ? slope_below : slope_above));
+          ++count;
+        }
+      EXPECT_EQ(search.bracket()->upper, critical);
+    }
+    return count;
+  };
+  EXPECT_LT(runs(1, 1), 0.85 * runs(0, 0));
+  EXPECT_LE(runs(0.1, 1), runs(0, 0));
+  EXPECT_LE(runs(1, 0.1), runs(0, 0));
+}
+
 TEST(BracketSearch, NeverTriesAValueTwice) {
-  BracketSearch search(100, 30);
+  BracketSearch search(100, Guess{30, 2});
   std::vector<int> tried;
   for (auto next = search.next(3); !next.empty(); next = search.next(3))
     for (const int i : next) {
@@ -117,6 +138,10 @@ TEST(Extrapolate, IsExactForFirstOrderAndCoversTheWayAndTheWidths) {
   const CellBracket wild[] = {{0.4, 500, 500}, {0.2, 510, 510}, {0.1, 540, 540}};
   EXPECT_NEAR(extrapolate(wild)->value, 540, 1e-9);
   EXPECT_NEAR(extrapolate(wild)->interval, 30, 1e-9);
+  // Cells that turn: the finest, and all that they differ by.
+  const CellBracket turning[] = {{0.4, 500, 500}, {0.2, 450, 450}, {0.1, 480, 480}};
+  EXPECT_NEAR(extrapolate(turning)->value, 480, 1e-9);
+  EXPECT_NEAR(extrapolate(turning)->interval, 50, 1e-9);
 }
 
 }  // namespace
