@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/core/archive.hpp"
 #include "libmpm/scene/scene.hpp"
 
 namespace mpm {
@@ -54,6 +55,14 @@ class Observer {
   virtual int threads() { return 1; }
   virtual void on_area(const AreaSample&) {}
   virtual void on_snapshot(const Snapshot&) {}
+
+  /// Of long runs. What an earlier run of the same scene gave to on_checkpoint: this one goes on from there,
+  /// gives the snapshots and areas that follow, and ends with the same bits as a run that was never
+  /// disturbed. Asked once, at the start.
+  virtual Record* resume_from() { return nullptr; }
+  /// After every step, before on_step: is a checkpoint wanted now? It costs about as much as a snapshot.
+  virtual bool wants_checkpoint() { return false; }
+  virtual void on_checkpoint(const Record&) {}
 };
 
 struct Metric {
@@ -86,7 +95,8 @@ struct RunResult {
   std::vector<Metric> metrics;
 };
 
-/// Runs the scene to its end. Throws InputError if find_problems() finds any; a breakdown is a result.
+/// Runs the scene to its end. Throws InputError if find_problems() finds any, or if what it is to go on from
+/// does not fit; a breakdown is a result.
 RunResult run(const Scene&, Observer&);
 RunResult run(const Scene&);
 

@@ -32,4 +32,14 @@ void Particles::add(Vec2 x, Vec2 v, double m, double v0, Vec2 half) {
   half_size.push_back(half);
 }
 
+void carry_particles(Particles& ps, Archive& a) {
+  a.numbers("position", ps.position), a.numbers("velocity", ps.velocity);
+  a.numbers("mass", ps.mass), a.numbers("initial_volume", ps.initial_volume);
+  a.numbers("dilation", ps.dilation), a.numbers("energy", ps.energy);
+  a.numbers("pressure", ps.pressure), a.numbers("viscous_pressure", ps.viscous_pressure);
+  a.numbers("deviator", ps.deviator), a.numbers("back_stress", ps.back_stress);
+  a.numbers("plastic_strain", ps.plastic_strain), a.numbers("plastic_work", ps.plastic_work);
+  a.numbers("half_size", ps.half_size), a.numbers("domain", ps.domain);
+}
+
 }  // namespace mpm

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "libmpm/core/archive.hpp"
 #include "libmpm/core/tensor.hpp"
 
 namespace mpm {
@@ -41,5 +42,7 @@ struct Particles {
   /// Adds a particle at rest, without stress.
   void add(Vec2 x, Vec2 v, double m, double v0, Vec2 half);
 };
+
+void carry_particles(Particles&, Archive&);
 
 }  // namespace mpm

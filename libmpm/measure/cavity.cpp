@@ -114,4 +114,16 @@ void Cavity::finish(const State& s, RunResult& result) {
   result.area_history = std::move(history_);
 }
 
+void Cavity::carry(Archive& a) {
+  Archive contour = a.part("contour"), empty = a.part("void"), jet = a.part("jet");
+  contour_.carry(contour), void_.carry(empty), jet_.carry(jet);
+  a.numbers("history", history_);
+  a.number("smallest_area", smallest_area_), a.number("smallest_difference", smallest_difference_);
+  a.number("smallest_sample", smallest_sample_);
+  a.integer("most_new", most_new_), a.number("new_time", new_time_);
+  a.number("closed_time", closed_time_), a.number("joined_time", joined_time_);
+  a.number("crossed_time", crossed_time_), a.number("topology_time", topology_time_);
+  a.number("area_difference", area_difference_);
+}
+
 }  // namespace mpm

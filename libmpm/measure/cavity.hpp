@@ -33,6 +33,7 @@ class Cavity : public Measurement {
   RowRange rows_read(const Grid& grid) const override { return contour_.rows(grid); }
   void sample(const State&) override;
   void finish(const State&, RunResult&) override;
+  void carry(Archive&) override;
 
  private:
   bool joined_outside() const;

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "libmpm/core/archive.hpp"
 #include "libmpm/step/state.hpp"
 
 namespace mpm {
@@ -27,6 +28,7 @@ class Contour {
   double width() const;   ///< [m]
   double height() const;  ///< [m]
   Vec2 centroid() const;  ///< of the enclosed area [m]
+  void carry(Archive& a) { a.numbers("markers", markers_); }
   /// Area below over area above the chord between the two markers that started at the height of the centre.
   double lower_upper_ratio() const;
 

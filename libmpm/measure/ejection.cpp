@@ -155,4 +155,10 @@ void Ejection::finish(const State&, RunResult& result) {
   m.push_back({"decision_margin", margin_, "1", {}});
 }
 
+void Ejection::carry(Archive& a) {
+  a.numbers("apart_since", apart_since_), a.number("slow_since", slow_since_);
+  a.integer("verdict", verdict_), a.number("decision_time", decision_time_), a.number("margin", margin_);
+  a.number("ejected_mass", ejected_mass_), a.number("ejected_momentum", ejected_momentum_);
+}
+
 }  // namespace mpm

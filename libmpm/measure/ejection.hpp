@@ -29,6 +29,7 @@ class Ejection : public Measurement {
   bool decided() const override { return stop_early_ && verdict_ != Verdict::undecided; }
   void sample(const State&) override;
   void finish(const State&, RunResult&) override;
+  void carry(Archive&) override;
 
  private:
   enum class Verdict { undecided, ejected, arrested };

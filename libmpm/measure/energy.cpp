@@ -58,4 +58,10 @@ void Balance::finish(const State& s, RunResult& result) {
   result.metrics.push_back({"overpressed_mass_fraction", overpressed_mass_ / mass, "1", {}});
 }
 
+void Balance::carry(Archive& a) {
+  a.number("impulse", impulse_), a.number("transfer_heat", transfer_heat_);
+  a.number("energy_error", energy_error_), a.number("momentum_error", momentum_error_);
+  a.number("overpressed_mass", overpressed_mass_);
+}
+
 }  // namespace mpm

@@ -25,6 +25,7 @@ class Balance : public Measurement {
   void after_step(const State&, const StepReport&, double dt) override;
   void sample(const State&) override;
   void finish(const State&, RunResult&) override;
+  void carry(Archive&) override;
 
   double energy_error() const { return energy_error_; }
 

@@ -150,4 +150,9 @@ void Health::finish(const State&, RunResult& result) {
   result.metrics.push_back({"largest_cfl", largest_cfl_, "1", {}});
 }
 
+void Health::carry(Archive& a) {
+  a.number("largest_cfl", largest_cfl_), a.number("overstrained_mass", overstrained_mass_);
+  a.number("smallest_dilation", smallest_dilation_), a.number("largest_dilation", largest_dilation_);
+}
+
 }  // namespace mpm

@@ -30,6 +30,7 @@ class Health : public Measurement {
   Health(const Scene&, const State&);
   void after_step(const State&, const StepReport&, double dt) override;
   void finish(const State&, RunResult&) override;
+  void carry(Archive&) override;
 
   enum class Trouble { none, not_finite, density, pressure, signal, time_step, growth, energy };
   /// What is wrong after the last step.

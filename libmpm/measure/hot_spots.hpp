@@ -11,6 +11,7 @@ class HotSpots : public Measurement {
  public:
   explicit HotSpots(Temperature t) : temperature_(t) {}
   void finish(const State&, RunResult&) override;
+  void carry(Archive&) override {}
 
  private:
   Temperature temperature_;

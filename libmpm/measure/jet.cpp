@@ -54,4 +54,11 @@ void Jet::finish(RunResult& result) const {
   if (overtake_time_ >= 0) m.push_back({"jet_overtake_time_s", overtake_time_, "s", {}});
 }
 
+void Jet::carry(Archive& a) {
+  a.number("time", time_), a.number("tip", tip_), a.number("gap", gap_), a.number("lead", lead_);
+  a.number("speed", speed_), a.number("most_lead", most_lead_);
+  a.number("impact_time", impact_time_), a.number("overtake_time", overtake_time_);
+  a.integer("passed", passed_), a.integer("led", led_);
+}
+
 }  // namespace mpm

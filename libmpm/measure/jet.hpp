@@ -19,6 +19,7 @@ class Jet {
   explicit Jet(const Scene&);
   void sample(const State&, const Contour&);
   void finish(RunResult&) const;
+  void carry(Archive&);
 
  private:
   double shock_height(const State&) const;  ///< at the sides [m]; infinite once it has left the block

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <span>
 
+#include "libmpm/core/archive.hpp"
 #include "libmpm/simulation.hpp"
 #include "libmpm/step/state.hpp"
 
@@ -23,6 +24,8 @@ class Measurement {
   virtual bool decided() const { return false; }
   virtual void sample(const State&) {}
   virtual void finish(const State&, RunResult&) = 0;
+  /// Everything that it keeps from one call to the next; what its constructor makes is there already.
+  virtual void carry(Archive&) = 0;
 };
 
 }  // namespace mpm

@@ -173,4 +173,8 @@ void PlanarShock::finish(const State&, RunResult& result) {
   }
 }
 
+void PlanarShock::carry(Archive& a) {
+  a.numbers("times", times_), a.numbers("top_speed", top_speed_), a.numbers("readings", readings_);
+}
+
 }  // namespace mpm

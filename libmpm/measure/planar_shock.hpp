@@ -25,6 +25,7 @@ class PlanarShock : public Measurement {
   void after_step(const State&, const StepReport&, double dt) override;
   std::span<const std::size_t> watched() const override { return watched_; }
   void finish(const State&, RunResult&) override;
+  void carry(Archive&) override;
 
  private:
   struct Reading {

@@ -67,4 +67,9 @@ void Shell::finish(const State&, RunResult& result) {
   result.metrics.push_back({"roundness", roundness_, "1", {}});
 }
 
+void Shell::carry(Archive& a) {
+  a.numbers("markers", markers_), a.numbers("times", times_), a.numbers("radii", radii_);
+  a.integer("stop", stop_), a.number("roundness", roundness_);
+}
+
 }  // namespace mpm

@@ -18,6 +18,7 @@ class Shell : public Measurement {
   RowRange rows_read(const Grid&) const override;
   bool decided() const override;
   void finish(const State&, RunResult&) override;
+  void carry(Archive&) override;
 
  private:
   Vec2 center_;

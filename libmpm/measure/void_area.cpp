@@ -192,4 +192,11 @@ double VoidArea::update(const State& s) {
   return ((full_width_ ? 1 : 2) * cells + closed * pi * variance) * f.cell.x() * f.cell.y();
 }
 
+void VoidArea::carry(Archive& a) {
+  a.integer("started", started_), a.integer("joined_outside", joined_outside_);
+  a.integer("touches_wall", touches_wall_), a.integer("closed_regions", closed_regions_);
+  a.integer("columns", previous_columns_), a.integer("rows", previous_rows_);
+  a.integers("region", previous_);
+}
+
 }  // namespace mpm

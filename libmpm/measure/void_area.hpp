@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "libmpm/core/archive.hpp"
 #include "libmpm/step/state.hpp"
 
 namespace mpm {
@@ -38,6 +39,7 @@ class VoidArea {
   int closed_regions() const { return closed_regions_; }
   bool joined_outside() const { return joined_outside_; }  ///< the region reaches the free surface
   bool touches_wall() const { return touches_wall_; }      ///< ... the impact wall
+  void carry(Archive&);
 
  private:
   void seed(const Indicator&, const Vec2& origin, std::vector<char>& region) const;

@@ -25,6 +25,7 @@ class Schedule {
   /// True if due at time t; moves on.
   bool sample_due(double t) { return t >= next_sample() - slack() && (++samples_, true); }
   bool snapshot_due(double t) { return t >= next_snapshot() - slack() && (++snapshots_, true); }
+  void carry(Archive& a) { a.integer("samples", samples_), a.integer("snapshots", snapshots_); }
 
  private:
   /// Events that rounding sets apart (0.7 ns, and 7 times 0.1 ns) are one.
@@ -77,7 +78,6 @@ RunResult run_state(const Scene& scene, State& state, const Measurements& measur
     }
     if (snapshot) observer.on_snapshot(snapshot_of(state, temperature));
   };
-  observe();
 
   const double cell = state.grid.cell().minCoeff();
   // Before the first step nothing is stressed: the fastest signal is that of the impact, with its viscosity.
@@ -87,6 +87,22 @@ RunResult run_state(const Scene& scene, State& state, const Measurements& measur
   const auto decided = [&] {
     return std::any_of(measurements.begin(), measurements.end(), [](const auto& m) { return m->decided(); });
   };
+  const auto carry = [&](Archive a) {
+    const auto part = [&](const std::string& name, auto& what) {
+      Archive inside = a.part(name);
+      what.carry(inside);
+    };
+    Archive steps = a.part("stepper");
+    stepper->carry(state, steps);
+    a.number("time", state.time), a.integer("step", state.step), a.number("signal", signal);
+    part("balance", balance), part("health", health), part("schedule", schedule);
+    for (std::size_t i = 0; i < measurements.size(); ++i)
+      part("measurement-" + std::to_string(i), *measurements[i]);
+  };
+  if (Record* record = observer.resume_from())
+    carry(Archive::from(*record)), result.steps = state.step;
+  else
+    observe();
   while (state.time < scene.end_time && !decided()) {
     // Equal steps up to the next event, so that it is hit exactly and no step is tiny.
     const double limit = scene.numerics.cfl * cell / signal;
@@ -118,6 +134,11 @@ RunResult run_state(const Scene& scene, State& state, const Measurements& measur
       return result;
     }
     observe();
+    if (observer.wants_checkpoint()) {
+      Record record;
+      carry(Archive::to(record));
+      observer.on_checkpoint(record);
+    }
     if (!observer.on_step({state.step, state.time, scene.end_time, dt, result.particles})) {
       result.status = RunStatus::stopped;
       result.reason = "stopped by the observer";

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <span>
 
+#include "libmpm/core/archive.hpp"
 #include "libmpm/step/state.hpp"
 
 namespace mpm {
@@ -26,6 +27,9 @@ class Stepper {
   /// Brings mass and velocity of the nodes of rows [first, last] up to date: the motion of the last step.
   /// Rows that the grid does not have are left out.
   virtual void refresh_nodes(State&, int /*first_row*/, int /*last_row*/) {}
+  /// All that the next step depends on, apart from time and number of the step. The State is the one that the
+  /// run began with.
+  virtual void carry(State& state, Archive& archive) { carry_particles(state.particles, archive); }
   /// How many threads the next steps may use, with the one that calls; the results are the same bits. A
   /// stepper may use fewer.
   virtual void use_threads(int) {}

@@ -5,7 +5,9 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include "runner/catalog/catalog_error.hpp"
 
@@ -169,27 +171,38 @@ void make_folder(const fs::path& results) {
 
 fs::path catalog_path(const fs::path& results) { return results / "catalog.db"; }
 
+namespace {
+
+std::unique_ptr<SQLite::Database> open_once(const fs::path& path, const CatalogSchema& schema) {
+  if (fs::exists(path)) look_before_writing(path, schema);
+  auto db = std::make_unique<SQLite::Database>(
+      path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, busy_timeout_ms);
+  check_header(path, read_header(*db), schema.version());
+  db->exec("PRAGMA journal_mode = WAL");
+  // NORMAL: a killed process loses nothing. A power cut may lose the last commits, never damage the file;
+  // such jobs are planned again.
+  db->exec("PRAGMA synchronous = NORMAL");
+  db->exec("PRAGMA foreign_keys = ON");
+  bring_up_to_date(*db, path, schema);
+  return db;
+}
+
+}  // namespace
+
 std::unique_ptr<SQLite::Database> open_for_writing(const fs::path& results, const CatalogSchema& schema) {
   const fs::path path = catalog_path(results);
   make_folder(results);
   check_is_file(path);
-  try {
-    if (fs::exists(path)) look_before_writing(path, schema);
-    auto db = std::make_unique<SQLite::Database>(
-        path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, busy_timeout_ms);
-    check_header(path, read_header(*db), schema.version());
-    db->exec("PRAGMA journal_mode = WAL");
-    // NORMAL: a killed process loses nothing. A power cut may lose the last commits, never damage the file;
-    // such jobs are planned again.
-    db->exec("PRAGMA synchronous = NORMAL");
-    db->exec("PRAGMA foreign_keys = ON");
-    bring_up_to_date(*db, path, schema);
-    return db;
-  } catch (const SQLite::Exception& error) {
-    rethrow(path, error);
-  } catch (const fs::filesystem_error& error) {
-    throw CatalogError(path.string() + ": " + error.what());
-  }
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(busy_timeout_ms);
+  while (true) try {
+      return open_once(path, schema);
+    } catch (const SQLite::Exception& error) {
+      // Where two change the journal's mode, or play one back, at once, SQLite refuses instead of waiting.
+      if (error.getErrorCode() != SQLITE_BUSY || std::chrono::steady_clock::now() > end) rethrow(path, error);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    } catch (const fs::filesystem_error& error) {
+      throw CatalogError(path.string() + ": " + error.what());
+    }
 }
 
 std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {

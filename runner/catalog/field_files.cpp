@@ -62,14 +62,17 @@ std::map<std::int64_t, std::string> Store::Impl::damaged_jobs(std::int64_t study
 }
 
 std::int64_t Store::sweep_files() {
-  std::unordered_set<std::string> kept;
-  SQLite::Statement rows(*impl_->db, "SELECT key FROM job WHERE status IN ('done', 'running', 'failed')");
-  while (rows.executeStep()) kept.insert(rows.getColumn(0).getString());
+  std::unordered_set<std::string> kept, planned;
+  SQLite::Statement rows(*impl_->db, "SELECT key, status = 'planned' FROM job WHERE status <> 'cancelled'");
+  while (rows.executeStep())
+    (rows.getColumn(1).getInt() == 1 ? planned : kept).insert(rows.getColumn(0).getString());
   std::int64_t swept = 0;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(impl_->results / "fields", error)) {
-    if (kept.contains(entry.path().filename().string())) continue;
+    const std::string key = entry.path().filename().string();
+    if (kept.contains(key)) continue;
     std::error_code ignored;  // what stays is swept by a later start, or by the job's next attempt
+    if (planned.contains(key) && fs::exists(entry.path() / checkpoint_name, ignored)) continue;
     fs::remove_all(entry.path(), ignored);
     ++swept;
   }

@@ -10,7 +10,7 @@
 namespace mpmstudy {
 
 double read_duration(const std::string& option, const std::string& text) {
-  if (text.empty()) return 0;
+  if (text.empty() || text == "0") return 0;
   const bool plain = text.find_first_not_of("0123456789.") == std::string::npos;
   const Value value = read_value(option, '"' + text + (plain ? " s" : "") + '"');
   const Number number = read_quantity(value, {"s", mpm::Range::positive}, Units());

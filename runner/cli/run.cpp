@@ -122,6 +122,7 @@ ExecutorOptions executor_options(const RunOptions& options) {
   executor.workers = static_cast<unsigned>(options.workers);
   executor.retries = options.retries;
   executor.limits = {read_duration("--timeout", options.timeout), read_bytes("--memory", options.memory)};
+  executor.checkpoint_s = read_duration("--checkpoint", options.checkpoint);
   executor.budget_s = read_duration("--budget", options.budget);
   executor.abandon = [](const ExecutorReport&) {
     std::fflush(nullptr);
@@ -211,6 +212,10 @@ void setup_run(CLI::App& app, RunSeams given) {
   verb.add_option("--memory", options->memory,
                   "A job that needs more is failed; each job then has a process of its own")
       ->type_name("\"2 GB\"");
+  verb.add_option("--checkpoint", options->checkpoint,
+                  "Processor time between the checkpoints from which a long job goes on; 0: none")
+      ->type_name("\"60 s\"")
+      ->capture_default_str();
   verb.add_option("--budget", options->budget, "Start no more jobs after this time")->type_name("\"2 h\"");
   verb.add_option("--engine", options->engine, "Where jobs run: local, or slurm (a job array and its merge)")
       ->check(CLI::IsMember({"local", "slurm"}))

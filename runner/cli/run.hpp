@@ -31,10 +31,11 @@ struct RunOptions {
   std::string only;  ///< a file of keys: run no other jobs; "": all
   bool dry_run = false;
   bool retry_failed = false;
-  int retries = 0;      ///< how often a failed job is run again
-  std::string timeout;  ///< of a job, "10 min"; "": none
-  std::string memory;   ///< of a job, "2 GB"; "": none
-  std::string budget;   ///< wall time after which no job is started, "2 h"; "": none
+  int retries = 0;                  ///< how often a failed job is run again
+  std::string timeout;              ///< of a job, "10 min"; "": none
+  std::string memory;               ///< of a job, "2 GB"; "": none
+  std::string checkpoint = "60 s";  ///< processor time between checkpoints of a job; "0": none
+  std::string budget;               ///< wall time after which no job is started, "2 h"; "": none
   bool quiet = false;
   bool verbose = false;
   std::string audit = "0 %";  ///< share of the early stops of a search that is run to the end

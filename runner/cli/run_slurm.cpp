@@ -55,6 +55,7 @@ SlurmScripts scripts_for(const RunOptions& options, const Study& study, std::siz
   s.run = with_flag("--set", options.study.set);
   append_option(s.run, "--timeout", options.timeout);
   append_option(s.run, "--memory", options.memory);
+  s.run.insert(s.run.end(), {"--checkpoint", options.checkpoint});
   append_option(s.run, "--retries", std::to_string(options.retries));
   for (const auto& option : options.slurm.options) s.again.push_back("--slurm=" + option);
   append_option(s.again, "--shard-time", options.slurm.shard_time);

@@ -11,14 +11,33 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+/// Processor time that is worth a checkpoint when the run is asked to stop [s].
+constexpr double worth_saving = 1;
+
+struct Spent {
+  double wall_s = 0, cpu_s = 0;
+};
+
+/// What the job costs, with what it cost before the checkpoint from which it goes on.
+class Spending {
+ public:
+  void add(const JobCheckpoint& before) { before_ = {before.wall_s, before.cpu_s}; }
+  Spent until_now() const {
+    return {before_.wall_s + std::chrono::duration<double>(Clock::now() - wall_).count(),
+            before_.cpu_s + thread_cpu_seconds() - cpu_};
+  }
+
+ private:
+  Clock::time_point wall_ = Clock::now();
+  double cpu_ = thread_cpu_seconds();
+  Spent before_;
+};
 
 /// Stops one job when asked or when its time is over, hands snapshots to disk, tells how far it is.
 class JobObserver : public mpm::Observer {
  public:
-  JobObserver(const AttemptContext& context, JobFiles& files) : context_(context), files_(files) {}
+  JobObserver(const AttemptContext& context, JobFiles& files, const Spending& spent)
+      : context_(context), files_(files), spent_(spent) {}
 
   bool on_step(const mpm::Progress& progress) override {
     at_ = progress;
@@ -34,12 +53,26 @@ class JobObserver : public mpm::Observer {
   int threads() override { return context_.threads(); }
   void on_snapshot(const mpm::Snapshot& snapshot) override { files_.add(snapshot); }
 
+  mpm::Record* resume_from() override { return files_.checkpoint() ? &files_.checkpoint()->run : nullptr; }
+  bool wants_checkpoint() override {
+    if (context_.checkpoint_s <= 0) return false;
+    const double since = thread_cpu_seconds() - saved_;
+    return since > context_.checkpoint_s || (since > worth_saving && context_.stopping());
+  }
+  void on_checkpoint(const mpm::Record& run) override {
+    const Spent spent = spent_.until_now();
+    files_.write_checkpoint(run, spent.wall_s, spent.cpu_s);
+    saved_ = thread_cpu_seconds();
+  }
+
   bool late() const { return late_; }
   const mpm::Progress& at() const { return at_; }
 
  private:
   const AttemptContext& context_;
   JobFiles& files_;
+  const Spending& spent_;
+  double saved_ = thread_cpu_seconds();  // when
   Clock::time_point start_ = Clock::now(), told_{};
   mpm::Progress at_{};
   bool late_ = false;
@@ -56,10 +89,17 @@ void fail(FinishedJob& job, FailureKind kind, const std::string& reason, const m
 }
 
 /// A breakdown is a value; whatever a simulation throws is made one.
-void simulate(const Job& job, const AttemptContext& context, JobFiles& files, FinishedJob& finished) {
-  JobObserver observer(context, files);
+void simulate(const Job& job, const AttemptContext& context, JobFiles& files, const Spending& spent,
+              FinishedJob& finished) {
+  JobObserver observer(context, files, spent);
   try {
-    finished.result = context.simulate(job.scene, observer);
+    try {
+      finished.result = context.simulate(job.scene, observer);
+    } catch (const mpm::InputError&) {
+      if (!files.checkpoint()) throw;
+      files.forget_checkpoint();  // it is of another scene or program: from the start, then
+      finished.result = context.simulate(job.scene, observer);
+    }
     if (observer.late())
       fail(finished, FailureKind::timeout, fmt::format("ran longer than {} s", context.limits.seconds),
            observer.at());
@@ -82,14 +122,14 @@ void simulate(const Job& job, const AttemptContext& context, JobFiles& files, Fi
 }  // namespace
 
 Attempt attempt_job(const Job& job, const AttemptContext& context) {
-  const auto wall = Clock::now();
-  const double cpu = thread_cpu_seconds();
+  Spending spent;
   Attempt attempt;
   FinishedJob& finished = attempt.job;
   finished.key = job.key;
   try {
-    JobFiles files(context.results, job.key, context.write);
-    simulate(job, context, files, finished);
+    JobFiles files(context.results, job.key, context.write, context.checkpoint_s > 0);
+    if (files.checkpoint()) spent.add(*files.checkpoint());
+    simulate(job, context, files, spent, finished);
     if (finished.result.status == mpm::RunStatus::stopped) {
       files.discard();
       attempt.end = Attempt::End::stopped;
@@ -101,8 +141,9 @@ Attempt attempt_job(const Job& job, const AttemptContext& context) {
     attempt.why = error.what();
     return attempt;
   }
-  finished.wall_s = seconds_since(wall);
-  finished.cpu_s = thread_cpu_seconds() - cpu + finished.result.helper_seconds;
+  const auto [wall_s, cpu_s] = spent.until_now();
+  finished.wall_s = wall_s;
+  finished.cpu_s = cpu_s + finished.result.helper_seconds;
   finished.status = finished.failure ? JobStatus::failed : JobStatus::done;
   finished.reason = finished.result.reason;
   if (finished.failure && finished.reason.empty()) finished.reason = "failed without a reason";

@@ -28,6 +28,7 @@ struct AttemptContext {
   std::function<bool()> stopping;                      ///< asked after every step
   std::function<void(const mpm::Progress&)> progress;  ///< at most twenty times a second
   std::function<int()> threads = [] { return 1; };  ///< that the next step may use; asked before every step
+  double checkpoint_s = 0;                          ///< processor time between checkpoints [s]; 0: none
 };
 
 /// How an attempt ended.

@@ -156,7 +156,9 @@ class Executor {
                                  options_.limits,
                                  [this] { return stopping(); },
                                  [&](const mpm::Progress& p) { status_.job_progress(job, p); },
-                                 [this] { return share_.load(std::memory_order_relaxed); }};
+                                 [this] { return share_.load(std::memory_order_relaxed); },
+
+                                 options_.checkpoint_s};
     if (!isolated) return attempt_job(job, context);
     return server_.attempt(job, context);
   }

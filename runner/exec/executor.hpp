@@ -40,6 +40,7 @@ struct ExecutorOptions {
   Limits limits = {};
   std::int64_t retries = 0;       ///< how often a failed job is run again in this run
   std::int64_t most_crashes = 3;  ///< a job whose process has died that often is failed
+  double checkpoint_s = 60;       ///< processor time between the checkpoints of a job [s]; 0: none
   double budget_s = 0;            ///< wall time after which no more jobs are started [s]; 0: none
   double grace_s = 1.5;           ///< after a stop is asked for, workers have this long to let go [s]
   double look_again_s = 0.5;      ///< jobs of other processes are asked for this often [s]

@@ -133,7 +133,9 @@ void bound_memory(std::uint64_t bytes) {
       results,
       order.limits,
       [&] { return gone; },
-      [&](const mpm::Progress& p) { gone = !send_message(socket, Kind::progress, &p, sizeof p); }};
+      [&](const mpm::Progress& p) { gone = !send_message(socket, Kind::progress, &p, sizeof p); },
+      [] { return 1; },
+      order.checkpoint_s};
   if (order.limits.memory > 0) bound_memory(order.limits.memory);
   const std::string answer = to_bytes(attempt_job(job, context));
   send_message(socket, Kind::attempt, answer.data(), answer.size());
@@ -249,7 +251,8 @@ Attempt JobServer::attempt(const Job& job, const AttemptContext& context) {
   auto ends = socket_pair(SOCK_STREAM);
   {
     std::lock_guard lock(impl_->mutex);
-    if (!send_request(impl_->server.get(), to_bytes(Order{job.key, job.scene, context.limits}),
+    if (!send_request(impl_->server.get(),
+                      to_bytes(Order{job.key, job.scene, context.limits, context.checkpoint_s}),
                       ends[1].get()))
       return {Attempt::End::storage, {}, "the process that starts jobs is gone"};
   }

@@ -8,11 +8,34 @@
 namespace mpmstudy {
 namespace fs = std::filesystem;
 
-JobFiles::JobFiles(fs::path results, const std::string& key, WriteSnapshot write)
+JobFiles::JobFiles(fs::path results, const std::string& key, WriteSnapshot write, bool go_on)
     : results_(std::move(results)), folder_(fs::path("fields") / key), write_(std::move(write)) {
+  if (go_on) checkpoint_ = read_job_checkpoint(results_ / folder_ / checkpoint_name, results_);
+  if (checkpoint_) {
+    files_ = checkpoint_->files;
+    kept_ = true;
+  } else {
+    clear();
+  }
+}
+
+void JobFiles::clear() {
+  files_.clear();
+  checkpoint_.reset();
+  kept_ = false;
   std::error_code error;
   fs::remove_all(results_ / folder_, error);
   if (error) throw StorageError((results_ / folder_).string() + ": " + error.message());
+}
+
+void JobFiles::write_checkpoint(const mpm::Record& run, double wall_s, double cpu_s) {
+  try {
+    fs::create_directories(results_ / folder_);
+    write_job_checkpoint(results_ / folder_ / checkpoint_name, {run, files_, wall_s, cpu_s});
+    kept_ = true;
+  } catch (const std::exception& error) {
+    throw StorageError(error.what());
+  }
 }
 
 void JobFiles::add(const mpm::Snapshot& snapshot) {
@@ -31,7 +54,12 @@ void JobFiles::add(const mpm::Snapshot& snapshot) {
 }
 
 std::vector<SnapshotFile> JobFiles::close() {
-  if (files_.empty()) return {};
+  std::error_code ignored;  // a checkpoint that stays is never looked at again
+  fs::remove(results_ / folder_ / checkpoint_name, ignored);
+  if (files_.empty()) {
+    fs::remove(results_ / folder_, ignored);
+    return {};
+  }
   try {
     for (const auto& folder : {results_ / folder_, results_ / "fields", results_}) sync_to_disk(folder);
   } catch (const std::exception& error) {
@@ -41,6 +69,7 @@ std::vector<SnapshotFile> JobFiles::close() {
 }
 
 void JobFiles::discard() noexcept {
+  if (kept_) return;
   std::error_code ignored;  // what stays is removed by the next attempt
   fs::remove_all(results_ / folder_, ignored);
 }

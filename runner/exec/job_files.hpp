@@ -9,6 +9,7 @@
 #include "libmpm/simulation.hpp"
 #include "runner/catalog/field_files.hpp"
 #include "runner/catalog/records.hpp"
+#include "runner/exec/job_checkpoint.hpp"
 
 namespace mpmstudy {
 
@@ -24,20 +25,32 @@ class StorageError : public std::runtime_error {
 
 class JobFiles {
  public:
-  /// Removes what an earlier attempt may have left. Throws StorageError.
-  JobFiles(std::filesystem::path results, const std::string& key, WriteSnapshot);
+  /// What an earlier attempt may have left is removed, unless there is a checkpoint of it, and `go_on`.
+  /// Throws StorageError.
+  JobFiles(std::filesystem::path results, const std::string& key, WriteSnapshot, bool go_on = false);
+
+  /// From which the run goes on, if it does.
+  JobCheckpoint* checkpoint() { return checkpoint_ ? &*checkpoint_ : nullptr; }
+  /// The run begins anew. Throws StorageError.
+  void forget_checkpoint() { clear(); }
+  /// Throws StorageError.
+  void write_checkpoint(const mpm::Record&, double wall_s, double cpu_s);
 
   /// Throws StorageError.
   void add(const mpm::Snapshot&);
   /// The folder's names reach the disk; gives back every file with size and checksum. Throws StorageError.
   std::vector<SnapshotFile> close();
-  /// The attempt is given up: nothing of it stays.
+  /// The attempt is given up: nothing of it stays, unless it can be gone on with from a checkpoint.
   void discard() noexcept;
 
  private:
+  void clear();
+
   std::filesystem::path results_, folder_;
   WriteSnapshot write_;
   std::vector<SnapshotFile> files_;
+  std::optional<JobCheckpoint> checkpoint_;
+  bool kept_ = false;  ///< a checkpoint is on disk
 };
 
 /// "003_2.200ns.vtkhdf"

@@ -108,7 +108,7 @@ void numbers(Reader& a, std::vector<double>& values) {
 }
 
 void whole_order(auto& a, auto& order) {
-  a(order.key), a(order.limits.seconds), a(order.limits.memory);
+  a(order.key), a(order.limits.seconds), a(order.limits.memory), a(order.checkpoint_s);
   a(order.scene.kind), a(order.scene.material.name);
   parameters(a, order.scene);
   numbers(a, order.scene.measures.snapshots);

@@ -11,6 +11,7 @@ struct Order {
   std::string key;
   mpm::Scene scene;
   Limits limits;
+  double checkpoint_s = 0;
 };
 
 std::string to_bytes(const Order&);

@@ -3,6 +3,10 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <string>
+#include <vector>
+
+#include "libmpm/core/archive.hpp"
 
 namespace mpm::fast {
 
@@ -29,5 +33,15 @@ class AlignedArray {
   std::size_t size_ = 0;
   std::unique_ptr<T, Free> data_;
 };
+
+/// The first n of them.
+template <class T>
+void carry(AlignedArray<T>& values, std::size_t n, const std::string& name, Archive& a) {
+  std::vector<double> column(values.data(), values.data() + (a.loading() ? 0 : n));
+  a.numbers(name, column);
+  if (!a.loading()) return;
+  if (column.size() > values.size()) values = AlignedArray<T>(column.size());
+  std::transform(column.begin(), column.end(), values.data(), [](double v) { return static_cast<T>(v); });
+}
 
 }  // namespace mpm::fast

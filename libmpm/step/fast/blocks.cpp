@@ -91,6 +91,23 @@ std::size_t Blocks<Real>::memory() const {
          bands_.capacity() * sizeof(Range) + sort_memory_;
 }
 
+template <class Real>
+void Blocks<Real>::carry(Archive& a) {
+  mpm::fast::carry(values_, count() * block_size(), "values", a);
+  a.integers("ids", ids_), a.integer("loose", loose_);
+  std::vector<std::size_t> ranges;
+  for (const Range& r : bands_)
+    for (const std::size_t v :
+         {r.first, r.count, static_cast<std::size_t>(r.first_row), static_cast<std::size_t>(r.last_row)})
+      ranges.push_back(v);
+  a.integers("bands", ranges);
+  bands_.clear();
+  for (std::size_t i = 0; i + 3 < ranges.size(); i += 4)
+    bands_.push_back(
+        {ranges[i], ranges[i + 1], static_cast<int>(ranges[i + 2]), static_cast<int>(ranges[i + 3])});
+  slots_ = {};
+}
+
 template class Blocks<double>;
 template class Blocks<float>;
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "libmpm/core/archive.hpp"
 #include "libmpm/core/grid.hpp"
 #include "libmpm/core/particles.hpp"
 #include "libmpm/step/fast/aligned_array.hpp"
@@ -44,6 +45,7 @@ class Blocks {
 
   void copy_to(Particles&, const Grid&) const;
   void copy_to(Particles&, const Grid&, std::span<const std::size_t> which);
+  void carry(Archive&);
   std::size_t memory() const;  ///< with what the last sort needed [bytes]
 
  private:
@@ -62,7 +64,7 @@ class Blocks {
 
   Variant variant_;
   int columns_, stride_;
-  AlignedArray<Real> values_;
+  AlignedArray<Real> values_;         ///< may be larger than its blocks
   std::vector<std::uint32_t> ids_;    ///< original place of the particle in each slot, or nobody
   std::vector<std::uint32_t> slots_;  ///< the inverse; empty until somebody asks for single particles
   std::vector<Range> bands_;

@@ -218,6 +218,18 @@ std::size_t FastStepper<Real>::memory() const {
   return blocks_ ? blocks_->memory() + grid_->memory() : 0;
 }
 
+/// The blocks hold the particles, the nodes their sums for the next step: the State's particles are not
+/// needed.
+template <class Real>
+void FastStepper<Real>::carry(State& state, Archive& a) {
+  if (!blocks_) begin(state);
+  Archive blocks = a.part("blocks"), nodes = a.part("nodes");
+  blocks_->carry(blocks), grid_->carry(nodes);
+  a.integer("first_row", first_row_), a.integer("last_row", last_row_);
+  a.integer("moved_first", moved_first_), a.integer("moved_last", moved_last_);
+  a.integer("out_of_step", out_of_step_), a.integer("stray", stray_);
+}
+
 template class FastStepper<double>;
 template class FastStepper<float>;
 

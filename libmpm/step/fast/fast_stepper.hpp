@@ -29,6 +29,7 @@ class FastStepper : public Stepper {
   void refresh_particles(State&) override;
   void refresh_particles(State&, std::span<const std::size_t> which) override;
   void refresh_nodes(State&, int first_row, int last_row) override;
+  void carry(State&, Archive&) override;
   std::size_t memory() const override;
   StepTimes times() const override { return times_; }
   void use_threads(int threads) override;

@@ -18,8 +18,12 @@ NodeGrid<Real>::NodeGrid(int columns) {
 template <class Real>
 void NodeGrid<Real>::reach(int row) {
   const int rows = row + 3 + spare_rows;
-  if (rows <= nodes_.rows) return;
-  nodes_.rows = rows + rows / 16;
+  if (rows > nodes_.rows) resize(rows + rows / 16);
+}
+
+template <class Real>
+void NodeGrid<Real>::resize(int rows) {
+  nodes_.rows = rows;
   const std::ptrdiff_t nodes = static_cast<std::ptrdiff_t>(nodes_.rows) * nodes_.stride;
   // one more group before the first and behind the last: packs look at their neighbours
   const auto grow = [&](AlignedArray<Real>& values, int components) {
@@ -127,6 +131,14 @@ void NodeGrid<Real>::copy_rows(Grid& grid, double rho0, int first, int last, int
 template <class Real>
 std::size_t NodeGrid<Real>::memory() const {
   return (motion_.size() + sums_.size()) * sizeof(Real);
+}
+
+template <class Real>
+void NodeGrid<Real>::carry(Archive& a) {
+  int rows = nodes_.rows;
+  a.integer("rows", rows);
+  if (rows > nodes_.rows) resize(rows);
+  mpm::fast::carry(motion_, motion_.size(), "motion", a), mpm::fast::carry(sums_, sums_.size(), "sums", a);
 }
 
 template class NodeGrid<double>;

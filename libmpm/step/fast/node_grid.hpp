@@ -25,9 +25,11 @@ class NodeGrid {
   void push_off_wall();
 
   void copy_rows(Grid&, double rho0, int first, int last, int first_used, int last_used) const;
+  void carry(Archive&);
   std::size_t memory() const;  ///< [bytes]
 
  private:
+  void resize(int rows);
   Real& at(Motion component, int i, int j) {
     return nodes_.motion[Nodes<Real>::motion_at(number(i, j), component)];
   }
