@@ -263,8 +263,13 @@ TEST(FastRun, BitsDoNotDependOnThreads) {
     s.end_time = 0.1e-9;
     s.measures.area_every = 0.02e-9;
     s.numerics.precision = precision;
-    Threads threads;
-    const mpm::RunResult many = mpm::run(s, threads), one = mpm::run(s);
+    const mpm::RunResult one = mpm::run(s);
+    // where the processor has other work, helpers may come too late for all there is to do
+    mpm::RunResult many;
+    for (int tries = 0; many.helper_seconds == 0 && tries < 100; ++tries) {
+      Threads threads;
+      many = mpm::run(s, threads);
+    }
     EXPECT_GT(many.helper_seconds, 0);
     EXPECT_EQ(one.helper_seconds, 0);
     expect_same_bits(many, one);
