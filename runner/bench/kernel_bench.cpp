@@ -46,6 +46,7 @@ class Walk {
         particles_(state_.particles.size()) {
     const double sound = 1.25 * scene.material.bulk_sound_speed;
     signal_ = 3 * (sound + scene.impact_speed);
+    rate(0);  // the first step puts the particles in order
   }
   std::size_t particles() const { return particles_; }
 
