@@ -69,17 +69,16 @@ void check_header(const fs::path& path, const Header& header, std::int32_t newes
   }
 }
 
-std::vector<std::string> columns_of(SQLite::Database& db, const std::string& table) {
+std::vector<std::string> parameters_of(SQLite::Database& db) {
   std::vector<std::string> names;
-  SQLite::Statement rows(db, "SELECT name FROM pragma_table_info(?) ORDER BY cid");
-  rows.bind(1, table);
+  SQLite::Statement rows(db, "SELECT name FROM parameter_column ORDER BY rowid");
   while (rows.executeStep()) names.push_back(rows.getColumn(0).getString());
   return names;
 }
 
 /// Parameters of the schema that the catalog has no column for yet.
 std::vector<ParameterColumn> missing_columns(SQLite::Database& db, const CatalogSchema& schema) {
-  const auto existing = columns_of(db, "job_parameters");
+  const auto existing = parameters_of(db);
   std::vector<ParameterColumn> missing;
   for (const auto& column : schema.parameters)
     if (std::ranges::find(existing, column.name) == existing.end()) missing.push_back(column);
@@ -101,6 +100,33 @@ void back_up(const fs::path& path, std::int32_t version) {
   fs::rename(partial, target);
 }
 
+void add_parameter(SQLite::Database& db, const ParameterColumn& column) {
+  db.exec("ALTER TABLE job ADD COLUMN \"" + column.name + "\" " + column.type);
+  SQLite::Statement name(db, "INSERT INTO parameter_column (name) VALUES (?)");
+  name.bind(1, column.name);
+  name.exec();
+}
+
+/// Up to version 5 parameters had a table of their own.
+void move_parameters(SQLite::Database& db) {
+  if (!db.tableExists("job_parameters")) return;
+  std::string names;
+  SQLite::Statement columns(
+      db, "SELECT name, type FROM pragma_table_info('job_parameters') WHERE name <> 'job_id' ORDER BY cid");
+  std::vector<ParameterColumn> moved;
+  while (columns.executeStep())
+    moved.push_back({columns.getColumn(0).getString(), columns.getColumn(1).getString()});
+  columns.reset();
+  for (const auto& column : moved) {
+    add_parameter(db, column);
+    names += (names.empty() ? "\"" : ", \"") + column.name + "\"";
+  }
+  if (!moved.empty())
+    db.exec("UPDATE job SET (" + names + ") = (SELECT " + names +
+            " FROM job_parameters WHERE job_id = job.id)");
+  db.exec("DROP TABLE job_parameters");
+}
+
 bool is_current(SQLite::Database& db, const CatalogSchema& schema) {
   return read_header(db).version == schema.version() && missing_columns(db, schema).empty();
 }
@@ -115,11 +141,9 @@ void bring_up_to_date(SQLite::Database& db, const fs::path& path, const CatalogS
   if (header.version > 0) back_up(path, header.version);
   for (const auto& migration : schema.migrations)
     if (migration.version > header.version) db.exec(std::string(migration.sql));
-  for (const auto& column : missing_columns(db, schema))
-    db.exec("ALTER TABLE job_parameters ADD COLUMN \"" + column.name + "\" " + column.type);
-  auto columns = columns_of(db, "job_parameters");
-  std::erase(columns, "job_id");
-  db.exec(view_sql(columns));
+  move_parameters(db);
+  for (const auto& column : missing_columns(db, schema)) add_parameter(db, column);
+  db.exec(view_sql(parameters_of(db)));
   db.exec("PRAGMA application_id = " + std::to_string(catalog_application_id));
   db.exec("PRAGMA user_version = " + std::to_string(schema.version()));
   transaction.commit();
@@ -233,6 +257,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
                                               flags | SQLite::OPEN_URI);
       header = read_header(*db);
     }
+    db->exec("PRAGMA cache_size = -65536");  // [KiB]: questions over all jobs of a large study
     check_header(path, header, current_catalog_schema().version());
     if (header.version == 0)
       throw UnfinishedCatalog(path.string() + ": is empty; `mpmstudy run STUDY` fills it");

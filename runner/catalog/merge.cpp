@@ -88,8 +88,8 @@ void take_studies(SQLite::Database& db, std::set<std::string>& taken) {
   for (const auto& name : taken) {
     SQLite::Statement study(
         db,
-        "INSERT OR IGNORE INTO main.study (name, title, updated_at, path, overrides) "
-        "SELECT name, title, updated_at, path, overrides FROM shard.study WHERE name = ?");
+        "INSERT OR IGNORE INTO main.study (name, title, updated_at, path, overrides, cells) "
+        "SELECT name, title, updated_at, path, overrides, cells FROM shard.study WHERE name = ?");
     execute(study, name);
     SQLite::Statement members(
         db,
@@ -158,7 +158,6 @@ void Store::Impl::merge_job(std::int64_t theirs, const std::string& key, JobStat
                        columns));
   const std::int64_t attempt = (ours ? ours->attempt : 0) + 1;
   execute(update, runner, attempt, theirs, id);
-  if (!ours) copy_rows(*db, "job_parameters", theirs, id);
   for (const char* table : {"metric", "area_sample", "snapshot"}) copy_rows(*db, table, theirs, id);
   take_files(folder / "fields" / key, results / "fields" / key);
   record(id, ours ? std::optional(ours->status) : std::nullopt, status, attempt,

@@ -118,6 +118,7 @@ struct JobClaim {
 struct StudySource {
   std::string path;              ///< of its file
   std::vector<std::string> set;  ///< its --set
+  double cells = 1;              ///< its --cells
 };
 
 /// Which failed jobs; "": any.

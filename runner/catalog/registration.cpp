@@ -7,21 +7,24 @@ namespace mpmstudy {
 
 std::int64_t Store::Impl::add_job(const Job& job) {
   const auto& scene = job.scene;
-  execute(insert_job, job.key, std::string(mpm::to_string(scene.kind)), scene.material.name,
-          nlohmann::json(scene.measures.snapshots).dump(), mpm::physics_version, job.estimate.particles,
-          job.estimate.steps, job.predicted_seconds);
-  const std::int64_t id = db->getLastInsertRowid();
-  insert_parameters.tryReset();
+  insert_job.tryReset();
   int i = 0;
-  bind_one(insert_parameters, ++i, id);
+  const auto bind = [&](const auto& value) { bind_one(insert_job, ++i, value); };
+  bind(job.key);
+  bind(std::string(mpm::to_string(scene.kind)));
+  bind(scene.material.name);
+  bind(nlohmann::json(scene.measures.snapshots).dump());
+  bind(mpm::physics_version);
+  bind(job.estimate.particles);
+  bind(job.estimate.steps);
+  bind(job.predicted_seconds);
   for (const auto& q : mpm::quantities())
-    bind_one(insert_parameters, ++i,
-             q.belongs_to(scene.kind) ? std::optional(q.get(scene)) : std::optional<double>());
+    bind(q.belongs_to(scene.kind) ? std::optional(q.get(scene)) : std::optional<double>());
   for (const auto& c : mpm::choices())
-    bind_one(insert_parameters, ++i,
-             c.belongs_to(scene.kind) ? std::optional(std::string(c.allowed[c.get(scene)]))
-                                      : std::optional<std::string>());
-  insert_parameters.exec();
+    bind(c.belongs_to(scene.kind) ? std::optional(std::string(c.allowed[c.get(scene)]))
+                                  : std::optional<std::string>());
+  insert_job.exec();
+  const std::int64_t id = db->getLastInsertRowid();
   record(id, std::nullopt, JobStatus::planned, 0);
   return id;
 }
@@ -115,15 +118,15 @@ std::int64_t enter_study(SQLite::Database& db, const std::string& name, const st
                          const StudySource& source) {
   SQLite::Statement upsert(
       db,
-      "INSERT INTO study (name, title, updated_at, path, overrides) VALUES (?, ?, ?, ?, ?) ON CONFLICT "
-      "(name) "
-      "DO UPDATE SET title = excluded.title, updated_at = excluded.updated_at, path = excluded.path, "
-      "overrides = excluded.overrides RETURNING id");
+      "INSERT INTO study (name, title, updated_at, path, overrides, cells) VALUES (?, ?, ?, ?, ?, ?) "
+      "ON CONFLICT (name) DO UPDATE SET title = excluded.title, updated_at = excluded.updated_at, "
+      "path = excluded.path, overrides = excluded.overrides, cells = excluded.cells RETURNING id");
   upsert.bind(1, name);
   upsert.bind(2, title);
   upsert.bind(3, utc_now());
   bind_one(upsert, 4, or_null(source.path));
   upsert.bind(5, nlohmann::json(source.set).dump());
+  upsert.bind(6, source.cells);
   upsert.executeStep();
   return upsert.getColumn(0).getInt64();
 }

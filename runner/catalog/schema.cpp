@@ -200,6 +200,15 @@ DROP INDEX study_job_by_job;
 CREATE INDEX study_job_by_job ON study_job (job_id, coarse);
 )sql";
 
+// A job's parameters stand in its own row (opening moves them there from job_parameters): every answer over
+// all jobs of a large study looked them up one by one.
+constexpr std::string_view version_6 = R"sql(
+CREATE TABLE parameter_column (name TEXT PRIMARY KEY) STRICT;  -- which columns of job are parameters, in their order
+DROP INDEX interval_by_job;
+CREATE INDEX interval_by_job ON interval (job_id, quantity, cells DESC, study_id, error);
+ALTER TABLE study ADD COLUMN cells REAL NOT NULL DEFAULT 1;    -- its --cells
+)sql";
+
 constexpr std::string_view jobs_before = R"sql(
 DROP VIEW IF EXISTS jobs;
 CREATE VIEW jobs AS SELECT
@@ -228,7 +237,6 @@ constexpr std::string_view jobs_after = R"sql(
   j.failure_kind AS failure_kind, j.crashes AS crashes,
   j.physics_version < (SELECT version FROM physics) AS stale
 FROM job j
-LEFT JOIN job_parameters p ON p.job_id = j.id  -- every job has them; so a query that asks for none skips them
 LEFT JOIN study_job m ON m.job_id = j.id AND m.coarse = 0
 LEFT JOIN study s ON s.id = m.study_id;
 )sql";
@@ -256,7 +264,7 @@ CREATE VIEW events AS SELECT j.key AS key, e.from_status AS from_status, e.to_st
 FROM event e JOIN job j ON j.id = e.job_id JOIN runner r ON r.id = e.runner_id;
 
 DROP VIEW IF EXISTS studies;
-CREATE VIEW studies AS SELECT name, title, updated_at, path, overrides FROM study;
+CREATE VIEW studies AS SELECT name, title, updated_at, path, overrides, cells FROM study;
 
 DROP VIEW IF EXISTS claims;
 CREATE VIEW claims AS SELECT name, sentence, verdict, measured, note, study FROM claim;
@@ -291,12 +299,12 @@ std::string ladders_sql() {
   const auto select = [](const std::string& quantity, const std::string& value, const std::string& unit,
                          const std::string& error, const std::string& rest) {
     return "SELECT s.name AS study, a.key AS key, m.position AS position, r.key AS rung_key, "
-           "p.cell_size_m AS cell_size_m, r.status AS status, " +
+           "r.cell_size_m AS cell_size_m, r.status AS status, " +
            quantity + " AS quantity, " + value + " AS value, " + unit + " AS unit, " + error +
            " AS measuring_error FROM study s JOIN study_job m ON m.study_id = s.id AND m.coarse = 0 "
            "JOIN job a ON a.id = m.job_id "
            "JOIN study_job n ON n.study_id = m.study_id AND n.position = m.position "
-           "JOIN job r ON r.id = n.job_id JOIN job_parameters p ON p.job_id = r.id " +
+           "JOIN job r ON r.id = n.job_id " +
            rest;
   };
   return "DROP VIEW IF EXISTS ladders;\nCREATE VIEW ladders AS " +
@@ -324,13 +332,13 @@ std::vector<ParameterColumn> parameter_columns() {
 }  // namespace
 
 CatalogSchema current_catalog_schema() {
-  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}, {5, version_5}},
+  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}, {5, version_5}, {6, version_6}},
           parameter_columns()};
 }
 
 std::string view_sql(std::span<const std::string> columns) {
   std::string sql(jobs_before);
-  for (const auto& column : columns) sql += "  p.\"" + column + "\" AS \"" + column + "\",\n";
+  for (const auto& column : columns) sql += "  j.\"" + column + "\" AS \"" + column + "\",\n";
   sql += jobs_after;
   sql += other_views;
   return sql += ladders_sql();

@@ -15,12 +15,15 @@
 
 namespace mpmstudy {
 
-/// INSERT INTO job_parameters over every column that a scene fills.
-inline std::string insert_parameters_sql() {
-  std::string names = "job_id", marks = "?";
+/// INSERT INTO job: what is planned, and every parameter that a scene can have.
+inline std::string insert_job_sql() {
+  std::string names =
+      "key, scene, material, snapshot_times, physics_version, predicted_particles, predicted_steps, "
+      "predicted_s, status";
+  std::string marks = "?, ?, ?, ?, ?, ?, ?, ?, 'planned'";
   for (const auto& q : mpm::quantities()) names += ", \"" + std::string(q.column) + "\"", marks += ", ?";
   for (const auto& c : mpm::choices()) names += ", \"" + std::string(c.column) + "\"", marks += ", ?";
-  return "INSERT INTO job_parameters (" + names + ") VALUES (" + marks + ")";
+  return "INSERT INTO job (" + names + ") VALUES (" + marks + ")";
 }
 
 struct Store::Impl {
@@ -31,11 +34,7 @@ struct Store::Impl {
   std::unordered_set<std::string> claimed;  ///< keys of jobs that this process runs, or did
 
   SQLite::Statement select_job{*db, "SELECT id, status, attempt, runner_id, crashes FROM job WHERE key = ?"};
-  SQLite::Statement insert_job{*db,
-                               "INSERT INTO job (key, scene, material, snapshot_times, physics_version, "
-                               "predicted_particles, predicted_steps, predicted_s, status) "
-                               "VALUES (?, ?, ?, ?, ?, ?, ?, ?, 'planned')"};
-  SQLite::Statement insert_parameters{*db, insert_parameters_sql()};
+  SQLite::Statement insert_job{*db, insert_job_sql()};
   SQLite::Statement insert_member{
       *db, "INSERT OR IGNORE INTO study_job (study_id, job_id, position, coarse) VALUES (?, ?, ?, ?)"};
   SQLite::Statement plan_again{

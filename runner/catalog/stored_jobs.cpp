@@ -40,10 +40,10 @@ std::string select_sql() {
   std::string sql =
       "SELECT j.key, j.scene, j.material, j.snapshot_times, j.status, j.reason, j.failure_kind, j.attempt, "
       "j.crashes, j.steps, j.physics_version, j.id, j.predicted_particles, j.predicted_steps, j.predicted_s";
-  for (const auto& q : mpm::quantities()) sql += ", p.\"" + std::string(q.column) + "\"";
-  for (const auto& c : mpm::choices()) sql += ", p.\"" + std::string(c.column) + "\"";
+  for (const auto& q : mpm::quantities()) sql += ", j.\"" + std::string(q.column) + "\"";
+  for (const auto& c : mpm::choices()) sql += ", j.\"" + std::string(c.column) + "\"";
   return sql +
-         " FROM job j JOIN job_parameters p ON p.job_id = j.id WHERE j.key >= ?1 AND j.key < ?2 "
+         " FROM job j WHERE j.key >= ?1 AND j.key < ?2 "
          "AND (?3 = '' OR j.status = ?3) ORDER BY j.id";
 }
 
@@ -55,6 +55,8 @@ auto reading(const std::filesystem::path& results, Read read) {
   } catch (const SQLite::Exception& error) {
     throw CatalogError(catalog_path(results).string() + ": cannot be read (" + error.what() +
                        "); `mpmstudy run STUDY` brings a catalog of an older program up to date");
+  } catch (const nlohmann::json::exception& error) {
+    throw CatalogError(catalog_path(results).string() + ": is damaged (" + error.what() + ")");
   }
 }
 
@@ -90,11 +92,13 @@ std::vector<StoredJob> read_jobs(const std::filesystem::path& results, const Job
 std::vector<StoredStudy> read_studies(const std::filesystem::path& results) {
   return reading(results, [](SQLite::Database& db) {
     std::vector<StoredStudy> studies;
-    SQLite::Statement rows(db, "SELECT name, path, overrides FROM study ORDER BY name");
+    SQLite::Statement rows(db, "SELECT name, path, overrides, cells FROM study ORDER BY name");
     while (rows.executeStep()) {
-      StoredStudy study{rows.getColumn(0).getString(), rows.getColumn(1).getString(), {}};
+      StoredStudy study{rows.getColumn(0).getString(),
+                        {rows.getColumn(1).getString(), {}, rows.getColumn(3).getDouble()}};
       if (!rows.isColumnNull(2))
-        study.set = nlohmann::json::parse(rows.getColumn(2).getString()).get<std::vector<std::string>>();
+        study.source.set =
+            nlohmann::json::parse(rows.getColumn(2).getString()).get<std::vector<std::string>>();
       studies.push_back(std::move(study));
     }
     return studies;

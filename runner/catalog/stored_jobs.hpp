@@ -33,8 +33,7 @@ std::vector<StoredJob> read_jobs(const std::filesystem::path& results, const Job
 /// A study of the catalog and where its file was when it was last run.
 struct StoredStudy {
   std::string name;
-  std::string path;              ///< "": not known
-  std::vector<std::string> set;  ///< its --set
+  StudySource source;  ///< path "": not known
 };
 std::vector<StoredStudy> read_studies(const std::filesystem::path& results);
 

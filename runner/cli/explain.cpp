@@ -15,6 +15,7 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/stored_jobs.hpp"
+#include "runner/exec/run_search.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/readable.hpp"
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 struct Wanted {
   Study study;
   Job job;
+  bool of_an_audit = false;  ///< of a search: no round has it, an audit runs it to its end
 };
 
 /// One parameter that two scenes do not share.
@@ -53,6 +55,10 @@ std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
 /// Where the study says it: "studies/a.toml:12:16"; a value of a default says that.
 std::string place_of(const std::optional<Wanted>& wanted, std::string_view name) {
   if (!wanted) return "";
+  if (const auto& search = wanted->study.search; search && name == search->critical)
+    return search->place + ", a round of the search";
+  if (wanted->of_an_audit && name == "stop") return "--audit";
+  if (name == "cell_size" && wanted->job.rung_of) return wanted->study.ladder_place;
   const auto& given = wanted->study.given;
   const auto found = std::ranges::find(given, name);
   if (found != given.end()) return wanted->study.places[static_cast<std::size_t>(found - given.begin())];
@@ -61,7 +67,37 @@ std::string place_of(const std::optional<Wanted>& wanted, std::string_view name)
     const auto other = std::ranges::find(given, row->alternative);
     if (other != given.end()) return wanted->study.places[static_cast<std::size_t>(other - given.begin())];
   }
+  if (name == "cell_size" && !wanted->study.ladder_place.empty()) return wanted->study.ladder_place;
   return "a default";
+}
+
+/// What tells the jobs of a study apart.
+std::vector<std::string> own_parameters(const Study& study) {
+  auto names = study.swept;
+  if (study.search) names.push_back(study.search->critical);
+  return names;
+}
+
+void print_own(const Wanted& wanted) {
+  for (const auto& name : own_parameters(wanted.study))
+    fmt::print("  {}  {}\n", label_of(wanted.job.scene, std::span(&name, 1)), place_of(wanted, name));
+}
+
+/// The job whose key begins so, among all that the study may ask for.
+std::optional<Wanted> find_job(Study study, const std::string& key) {
+  if (study.search) {
+    for (const auto& scene : possible_scenes(study))
+      if (std::string own = job_key(scene); own.starts_with(key)) {
+        const bool of_an_audit = std::ranges::none_of(study.scenes, [&](const mpm::Scene& point) {
+          return point.measures.stop == scene.measures.stop;
+        });
+        return Wanted{std::move(study), {std::move(own), scene, mpm::estimate(scene)}, of_an_audit};
+      }
+    return std::nullopt;
+  }
+  for (const auto& job : all_jobs(make_plan(study)))
+    if (job.key.starts_with(key)) return Wanted{std::move(study), job};
+  return std::nullopt;
 }
 
 /// The job in the study files: those named, or those that the catalog remembers.
@@ -70,13 +106,11 @@ std::optional<Wanted> find_in_files(const ExplainOptions& options, const std::st
   for (const auto& file : options.files) files.emplace_back(file, options.study);
   if (files.empty() && fs::exists(catalog_path(options.results)))
     for (auto& study : read_studies(options.results))
-      if (fs::exists(study.path)) files.push_back({study.path, {std::move(study.set), true}});
+      if (fs::exists(study.source.path))
+        files.push_back({study.source.path, {std::move(study.source.set), study.source.cells, true}});
   for (const auto& [file, how] : files) {
     try {
-      Study study = read_study(file, how);
-      const Plan plan = make_plan(study);
-      for (const auto& job : all_jobs(plan))
-        if (job.key.starts_with(key)) return Wanted{std::move(study), job};
+      if (auto wanted = find_job(read_study(file, how), key)) return wanted;
     } catch (const StudyError&) {
       if (!options.files.empty()) throw;  // a file that has become bad since says nothing about this job
     }
@@ -200,11 +234,11 @@ int run_explain(const ExplainOptions& options) {
                        (options.files.empty() ? "a study that it knows" : "these studies") +
                        " has such a job; `mpmstudy plan STUDY` lists keys");
   const Job& it = job ? job->job : wanted->job;
-  std::vector<std::string> swept;
-  if (wanted) swept = wanted->study.swept;
-  fmt::print("{}  {}\n", it.key, label_of(it.scene, swept));
+  const auto own = wanted ? own_parameters(wanted->study) : std::vector<std::string>();
+  fmt::print("{}  {}\n", it.key, label_of(it.scene, own));
   if (!job) {
     fmt::print("of {}\nwill run: the catalog does not have it\n", wanted->study.name);
+    print_own(*wanted);
     print_news(all, it.scene, static_cast<std::int64_t>(all.size()) + 1, wanted);
     return exit_ok;
   }
@@ -212,6 +246,7 @@ int run_explain(const ExplainOptions& options) {
   if (job->crashes > 0)
     fmt::print("its process has ended {} times while it ran, so it runs in a process of its own\n",
                job->crashes);
+  if (wanted) print_own(*wanted);
   print_news(all, it.scene, job->order, wanted);
   print_history(options.results, it.key);
   return exit_ok;

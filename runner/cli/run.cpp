@@ -150,7 +150,7 @@ void keep_only(const std::string& path, std::vector<PlannedStudy>& planned) {
 }
 
 StudySource source_of(const Study& study, const StudyOptions& options) {
-  return {std::filesystem::absolute(study.path).lexically_normal().string(), options.set};
+  return {std::filesystem::absolute(study.path).lexically_normal().string(), options.set, options.cells};
 }
 
 /// "5 %", "5%" or "0.05". Throws StudyError.
@@ -170,6 +170,11 @@ double share_of(const std::string& text) {
   return share;
 }
 
+SearchOptions from(StudySource source, SearchOptions search) {
+  search.source = std::move(source);
+  return search;
+}
+
 /// A job array a study.
 int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
                    const std::vector<PlannedStudy>& planned, const SearchOptions& search,
@@ -177,7 +182,8 @@ int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
   int code = exit_ok;
   auto next = planned.begin();
   for (const auto& study : studies)
-    code = std::max(code, study.search ? search_on_slurm(options, study, search, seams)
+    code = std::max(code, study.search ? search_on_slurm(options, study,
+                                                         from(source_of(study, options.study), search), seams)
                                        : run_on_slurm(options, study, *next++, seams));
   return code;
 }
@@ -250,7 +256,7 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   for (const auto& file : options.files) studies.push_back(read_study(file, options.study));
   check_names(studies);
   const CostModel cost(measured_costs(options.results));
-  const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit)};
+  const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit), {}};
   const auto planned = plan_studies(options, studies, cost);
   if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
   if (options.dry_run) return print_intent(options, studies, planned);
@@ -268,8 +274,9 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
                            seams.write_snapshot, signal_flag(), executor);
     for (const auto& study : studies) {
       if (!study.search || !options.only.empty() || report.left() > 0) continue;
-      const SearchReport search = run_search(study, search_options, writer, *status, seams.simulate,
-                                             seams.write_snapshot, signal_flag(), executor);
+      const SearchReport search =
+          run_search(study, from(source_of(study, options.study), search_options), writer, *status,
+                     seams.simulate, seams.write_snapshot, signal_flag(), executor);
       report.executed.failed += search.run.executed.failed;
       report.executed.untouched += search.run.left();
       report.signal = search.run.signal;

@@ -53,6 +53,8 @@ SlurmScripts scripts_for(const RunOptions& options, const Study& study, std::siz
   s.workers = workers;
   s.round = round;
   s.run = with_flag("--set", options.study.set);
+  if (options.study.cells != 1)
+    s.run.insert(s.run.end(), {"--cells", fmt::format("{}", options.study.cells)});
   append_option(s.run, "--timeout", options.timeout);
   append_option(s.run, "--memory", options.memory);
   s.run.insert(s.run.end(), {"--checkpoint", options.checkpoint});

@@ -108,7 +108,7 @@ class SearchRun {
  private:
   /// False if the run was stopped.
   bool round(const Study& study) {
-    const PlannedStudy planned{make_plan(study, options_.cost), study.title};
+    const PlannedStudy planned{make_plan(study, options_.cost), study.title, options_.source};
     const RunReport one = run_round_(planned);
     add(report_.run, one);
     if (one.left() > 0) {

@@ -13,7 +13,8 @@ namespace mpmstudy {
 struct SearchOptions {
   CostModel cost;  ///< for predictions
   bool retry_failed = false;
-  double audit = 0;  ///< share of the runs that ended early which are run to their end, 0 ... 1
+  double audit = 0;    ///< share of the runs that ended early which are run to their end, 0 ... 1
+  StudySource source;  ///< of the study; for those who ask the catalog later
 };
 
 /// What an audit of early stops found.

@@ -18,8 +18,8 @@ namespace {
 /// Reads one document, top to bottom; every part adds what is wrong with it and the rest goes on.
 class Reader {
  public:
-  Reader(const std::filesystem::path& path, const ReadOptions& options)
-      : options_(options), document_(read_document(path)), top_{path.string(), 1, 1} {
+  Reader(const std::filesystem::path& path, const ReadOptions& options, const Units& units)
+      : options_(options), units_(units), document_(read_document(path)), top_{path.string(), 1, 1} {
     study_.path = path;
   }
 
@@ -131,10 +131,11 @@ class Reader {
       axis = read_axis(*choice, entry, problems_);
     }
     if (!axis) return;
-    if (entry.key == "cell_size" && options_.cells != 1) scale_cells(*axis);
+    const bool scaled = entry.key == "cell_size" && options_.cells != 1;
+    if (scaled) scale_cells(*axis);
     if (!axis->swept && entry.place.line > 0) fixed_.push_back(entry.key);
     study_.given.push_back(entry.key);
-    study_.places.push_back(entry.value.place.text());
+    study_.places.push_back(entry.value.place.text() + (scaled ? ", times --cells" : ""));
     request_.axes.push_back(std::move(*axis));
   }
 
@@ -176,7 +177,10 @@ class Reader {
     request_.ladder = study_.ladder;
     const Table* numerics = table("numerics");
     for (const char* key : {"ladder", "accuracy"})
-      if (const Entry* entry = numerics ? numerics->find(key) : nullptr) request_.ladder_place = entry->place;
+      if (const Entry* entry = numerics ? numerics->find(key) : nullptr) {
+        request_.ladder_place = entry->place;
+        study_.ladder_place = entry->place.text();
+      }
   }
 
   void read_requests() {
@@ -231,9 +235,9 @@ class Reader {
   }
 
   const ReadOptions& options_;
+  const Units& units_;
   Table document_;
   Place top_;
-  Units units_;
   Problems problems_;
   Study study_;
   SceneRequest request_;
@@ -245,7 +249,11 @@ class Reader {
 }  // namespace
 
 Study read_study(const std::filesystem::path& path, const ReadOptions& options) {
-  return Reader(path, options).read();
+  return read_study(path, options, Units());
+}
+
+Study read_study(const std::filesystem::path& path, const ReadOptions& options, const Units& units) {
+  return Reader(path, options, units).read();
 }
 
 }  // namespace mpmstudy

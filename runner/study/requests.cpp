@@ -182,6 +182,7 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
   if (!(*lower < *upper)) problems.add("between", entry->value, shape);
   search.lower = *lower;
   search.upper = *upper;
+  search.place = entry->value.place.text();
 }
 
 }  // namespace

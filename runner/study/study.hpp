@@ -14,6 +14,8 @@
 
 namespace mpmstudy {
 
+class Units;
+
 /// A fit that the study asks for: y = c0 + c1 x + c2 x^2 for "quadratic".
 struct FitRequest {
   std::string x;      ///< a swept quantity, e.g. "cavity_radius"
@@ -38,6 +40,7 @@ struct SearchRequest {
   double lower = 0;      ///< the bracket to start from, SI of `critical`, lower < upper; scenes hold `lower`
   double upper = 0;
   double tolerance = 0;  ///< width of the bracket at which the search ends, > 0, SI of `critical`
+  std::string place;     ///< where `between` is said: "studies/a.toml:22:13"
 };
 
 /// What a run of the study should come to ([expect]). Only tests/stability looks at it.
@@ -69,6 +72,7 @@ struct Study {
   std::vector<std::string> places;  ///< of given, where each is said: "studies/a.toml:12:16", "--set"
   std::vector<mpm::Scene> scenes;   ///< one per job, in the order of the sweep, every one without problems
   LadderRequest ladder;             ///< under every scene, whose cell is one end of it
+  std::string ladder_place;         ///< where more than one cell is asked for; "": nowhere
   std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;
@@ -83,5 +87,7 @@ struct ReadOptions {
 
 /// Throws StudyError; collects every problem of the file into one message, a line each.
 Study read_study(const std::filesystem::path&, const ReadOptions& = {});
+/// For those who read many: the unit database takes longer to load than a study to read.
+Study read_study(const std::filesystem::path&, const ReadOptions&, const Units&);
 
 }  // namespace mpmstudy

@@ -115,6 +115,24 @@ TEST_F(Opening, every_older_layout_becomes_the_current_one) {
   }
 }
 
+TEST_F(Opening, parameters_of_an_older_layout_move_into_their_jobs) {
+  auto older = current_catalog_schema();
+  older.migrations.resize(5);
+  make_tables(results, older);
+  SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
+      .exec(
+          "ALTER TABLE job_parameters ADD COLUMN gone_since REAL;"
+          "ALTER TABLE job_parameters ADD COLUMN kernel TEXT;"
+          "INSERT INTO job (id, key, scene, material, snapshot_times, physics_version, predicted_particles, "
+          "predicted_steps, status) VALUES (7, 'k', 'cavity-impact', 'aluminium', '[]', 1, 1, 1, 'planned');"
+          "INSERT INTO job_parameters VALUES (7, 2.5, 'gimp')");
+  const auto db = open_for_writing(results);
+  EXPECT_EQ(db->execAndGet("SELECT gone_since FROM jobs WHERE kernel = 'gimp'").getDouble(), 2.5);
+  EXPECT_EQ(integer(*db, "SELECT count(*) FROM pragma_table_info('jobs') WHERE name = 'impact_speed_m_s'"),
+            1);
+  EXPECT_FALSE(db->tableExists("job_parameters"));
+}
+
 TEST_F(Opening, a_migration_that_fails_changes_nothing) {
   open_for_writing(results);
   auto next = current_catalog_schema();

@@ -78,7 +78,7 @@ TEST_F(Views, others) {
                    "measuring_error", "measuring_difference", "scatter", "wanted_error", "reached"}));
   EXPECT_EQ(columns("ladders"), (Names{"study", "key", "position", "rung_key", "cell_size_m", "status",
                                        "quantity", "value", "unit", "measuring_error"}));
-  EXPECT_EQ(columns("studies"), (Names{"name", "title", "updated_at", "path", "overrides"}));
+  EXPECT_EQ(columns("studies"), (Names{"name", "title", "updated_at", "path", "overrides", "cells"}));
 }
 
 TEST_F(Views, every_column_is_documented) {

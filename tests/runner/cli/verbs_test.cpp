@@ -50,6 +50,30 @@ TEST_F(Verbs, explain_says_which_parameter_is_new_and_where_it_is_said) {
   EXPECT_THAT(output, ContainsRegex("impact_speed = 300 m/s .*kill.toml:8:"));
 }
 
+TEST_F(Verbs, explain_knows_what_scaled_the_cells) {
+  ASSERT_EQ(verb({"run", study, "-q", "--cells", "1.5", "--set", "name=coarse"}), 0) << output;
+  EXPECT_EQ(
+      std::get<double>(query(results, "SELECT cells FROM studies WHERE name = 'coarse'").rows.at(0).at(0)),
+      1.5);
+  ASSERT_EQ(verb({"explain", text("SELECT key FROM jobs WHERE study = 'coarse' LIMIT 1")}), 0) << output;
+  EXPECT_THAT(output, ContainsRegex("cell_size = 0.6 um .*kill.toml:[0-9]+:[0-9]+, times --cells"));
+}
+
+TEST_F(Verbs, explain_of_a_search_names_the_section_that_its_speeds_come_from) {
+  const std::string search = SOURCE_DIR "/tests/slurm/search.toml";
+  const std::string round = ".*search.toml:20:[0-9]+, a round of the search";
+  ASSERT_EQ(verb({"run", search, "-q", "--audit", "100 %"}), 0) << output;
+  const auto key =
+      text("SELECT key FROM jobs WHERE study = 'slurm-search' ORDER BY impact_speed_m_s DESC LIMIT 1");
+  ASSERT_EQ(verb({"explain", key}), 0) << output;
+  EXPECT_THAT(output, ContainsRegex("  cavity_radius = [12.5]* um  .*search.toml:11:"));
+  EXPECT_THAT(output, ContainsRegex("  impact_speed = [0-9]* m/s  " + round));
+  EXPECT_THAT(output, ContainsRegex("impact_speed = [0-9]* m/s .there [0-9]* m/s.  " + round));
+  const auto audited = text("SELECT key FROM jobs WHERE study = 'slurm-search-audit' LIMIT 1");
+  ASSERT_EQ(verb({"explain", audited}), 0) << output;
+  EXPECT_THAT(output, HasSubstr("stop = end-time (there decided)  --audit"));
+}
+
 TEST_F(Verbs, explain_says_why_a_job_failed_and_retry_plans_it_again) {
   const auto key = text("SELECT key FROM jobs LIMIT 1");
   write(
@@ -68,6 +92,17 @@ TEST_F(Verbs, explain_says_why_a_job_failed_and_retry_plans_it_again) {
   EXPECT_THAT(output, HasSubstr("1 done, 0 failed, 15 reused, 0 left"));
   EXPECT_EQ(verb({"explain", "zzz"}), 2);
   EXPECT_EQ(verb({"explain", ""}), 2);  // several jobs begin so
+}
+
+TEST_F(Verbs, what_goes_through_a_queue_keeps_its_options) {
+  ASSERT_EQ(verb({"run", study, "--set", "impact_speed=250 m/s", "--cells", "1.5", "--timeout", "1 h",
+                  "--engine", "slurm", "--dry-run"}),
+            0)
+      << output;
+  const std::string options = "--set 'impact_speed=250 m/s' --cells 1.5 --timeout '1 h' ";
+  const auto array = output.find(options);
+  ASSERT_NE(array, std::string::npos) << output;
+  EXPECT_NE(output.find(options, array + 1), std::string::npos) << "and of the merge";
 }
 
 TEST_F(Verbs, verify_finds_a_result_that_does_not_come_out_again) {
