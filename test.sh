@@ -1,9 +1,20 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs every test. Options go to ctest: ./test.sh -L fast
+#   ./test.sh --sanitize address    the same under the address and undefined-behaviour sanitizers
+#   ./test.sh --sanitize thread     ... the thread sanitizer
 cd "$(dirname "$0")"
 . cmake/setup.sh
 
-install_missing build test
-build release -DMPM_TESTS=ON
+preset=release
+if [ "${1:-}" = --sanitize ]; then
+  case ${2:-} in
+    address) preset=asan ;;
+    thread) preset=tsan ;;
+    *) echo "--sanitize address, or --sanitize thread" >&2; exit 2 ;;
+  esac
+  shift 2
+fi
+install_missing build test slurm
+build "$preset" -DMPM_TESTS=ON
 say "testing"
-exec ctest --preset release -j "$(nproc)" "$@"
+exec ctest --preset "$preset" -j "$(nproc)" "$@"

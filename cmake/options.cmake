@@ -12,6 +12,7 @@ if(MPM_NATIVE)
   target_compile_options(mpm_options INTERFACE -march=native)
 endif()
 if(MPM_SANITIZE)
-  target_compile_options(mpm_options INTERFACE -fsanitize=${MPM_SANITIZE} -fno-omit-frame-pointer -g)
+  target_compile_options(mpm_options INTERFACE -fsanitize=${MPM_SANITIZE} -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer -g1)
   target_link_options(mpm_options INTERFACE -fsanitize=${MPM_SANITIZE})
 endif()
