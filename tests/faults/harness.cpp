@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -50,9 +51,11 @@ std::string words_of(const fs::path& results) {
 
 Undisturbed run_undisturbed(const Options& options) {
   const fs::path calm = fs::path(options.folder) / "undisturbed";
+  const auto begin = std::chrono::steady_clock::now();
   if (const int end = wait_for(start(options, calm)); end != 0)
     throw std::runtime_error(fmt::format("the undisturbed run ended with {}: {}", end, words_of(calm)));
-  return {rows_of(calm), files_of(calm)};
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  return {rows_of(calm), files_of(calm), seconds.count()};
 }
 
 bool same_end(const fs::path& results, const Undisturbed& expected) {

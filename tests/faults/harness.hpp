@@ -30,6 +30,7 @@ struct Tally {
 struct Undisturbed {
   std::string rows;
   std::set<std::string> files;
+  double seconds = 0;  ///< how long it takes
 };
 
 /// Starts the program; what it says goes to RESULTS.log. An empty `words`: it runs the study.
