@@ -7,34 +7,32 @@
 // neither a blend with PIC nor smaller steps change it. Domains that follow the stretch go on tiling.
 #include <gtest/gtest.h>
 
-#include "libmpm/shape/bspline2.hpp"
-#include "libmpm/shape/bspline3.hpp"
-#include "libmpm/shape/cpdi.hpp"
-#include "libmpm/shape/gimp.hpp"
-#include "tests/verification/manufactured_solution.hpp"
+#include <cmath>
+
+#include "runner/bench/exact/manufactured.hpp"
 
 namespace {
 
-using manufactured::axis_aligned;
-using manufactured::vortex;
+using mpmstudy::axis_aligned_error;
+using mpmstudy::vortex_error;
+using enum mpm::ShapeFunction;
 
 double order(double coarse, double fine) { return std::log2(coarse / fine); }
 
 TEST(Convergence, AxisAlignedSmallStrain) {
-  const double coarse = axis_aligned<mpm::BSpline2>({16, 2, 0.4, 0.001});
-  const double fine = axis_aligned<mpm::BSpline2>({32, 2, 0.4, 0.001});
-  EXPECT_GT(order(coarse, fine), 1.8);
-  EXPECT_LT(fine, 0.014);
-  EXPECT_GT(order(axis_aligned<mpm::Gimp>({16, 2, 0.4, 0.001}), axis_aligned<mpm::Gimp>({32, 2, 0.4, 0.001})),
-            1.8);
+  for (const auto shape : {bspline2, gimp}) {
+    const double coarse = axis_aligned_error({shape, 16, 2, 0.001});
+    const double fine = axis_aligned_error({shape, 32, 2, 0.001});
+    EXPECT_GT(order(coarse, fine), 1.8);
+    EXPECT_LT(fine, 0.014);
+  }
 }
 
 /// Errors with 16, 32 and 64 cells must fall in second order.
-template <class Shape>
-void expect_second_order(int side, double finest) {
-  const double coarse = axis_aligned<Shape>({16, side, 0.4, 0.05});
-  const double middle = axis_aligned<Shape>({32, side, 0.4, 0.05});
-  const double fine = axis_aligned<Shape>({64, side, 0.4, 0.05});
+void expect_second_order(mpm::ShapeFunction shape, int side, double finest) {
+  const double coarse = axis_aligned_error({shape, 16, side});
+  const double middle = axis_aligned_error({shape, 32, side});
+  const double fine = axis_aligned_error({shape, 64, side});
   EXPECT_GT(order(coarse, middle), 1.8);
   EXPECT_GT(order(middle, fine), 1.8);
   EXPECT_LT(fine, finest);
@@ -42,31 +40,21 @@ void expect_second_order(int side, double finest) {
 
 // The quadrature error is what stops the quadratic B-spline: the smoother cubic one goes on, and so do
 // domains that tile, even one to a cell, where Gimp, whose domains cannot grow beyond a cell, goes astray.
-TEST(Convergence, AxisAlignedLargeStrainWithCubicBSplines) { expect_second_order<mpm::BSpline3>(2, 0.0045); }
-TEST(Convergence, AxisAlignedLargeStrainWithOneParallelogramACell) {
-  expect_second_order<mpm::Cpdi>(1, 0.0042);
-}
-
-TEST(Convergence, AxisAlignedLargeStrainWithTilingDomains) {
-  const double coarse = axis_aligned<mpm::Gimp>({16, 2, 0.4, 0.05});
-  const double middle = axis_aligned<mpm::Gimp>({32, 2, 0.4, 0.05});
-  const double fine = axis_aligned<mpm::Gimp>({64, 2, 0.4, 0.05});
-  EXPECT_GT(order(coarse, middle), 1.8);
-  EXPECT_GT(order(middle, fine), 1.8);
-  EXPECT_LT(fine, 0.0025);
-}
+TEST(Convergence, AxisAlignedLargeStrainWithCubicBSplines) { expect_second_order(bspline3, 2, 0.0045); }
+TEST(Convergence, AxisAlignedLargeStrainWithOneParallelogramACell) { expect_second_order(cpdi, 1, 0.0042); }
+TEST(Convergence, AxisAlignedLargeStrainWithTilingDomains) { expect_second_order(gimp, 2, 0.0025); }
 
 // The default of cavities and shells as it is: this pins where it stops, so that a better scheme shows.
 TEST(Convergence, AxisAlignedLargeStrainWithBSplinesStopsNearOnePercent) {
-  const double coarse = axis_aligned<mpm::BSpline2>({16, 2, 0.4, 0.05});
-  const double fine = axis_aligned<mpm::BSpline2>({32, 2, 0.4, 0.05});
+  const double coarse = axis_aligned_error({bspline2, 16});
+  const double fine = axis_aligned_error({bspline2, 32});
   EXPECT_GT(order(coarse, fine), 1.8);
-  EXPECT_LT(axis_aligned<mpm::BSpline2>({64, 2, 0.4, 0.05}), 0.007);
+  EXPECT_LT(axis_aligned_error({bspline2, 64}), 0.007);
 }
 
 TEST(Convergence, Vortex) {
-  const double coarse = vortex<mpm::BSpline2>({16, 3, 0.4, 0.05});
-  const double fine = vortex<mpm::BSpline2>({32, 3, 0.4, 0.05});
+  const double coarse = vortex_error({bspline2, 16, 3});
+  const double fine = vortex_error({bspline2, 32, 3});
   EXPECT_GT(order(coarse, fine), 1.8);
   EXPECT_LT(fine, 0.02);
 }
