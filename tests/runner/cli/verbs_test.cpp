@@ -56,7 +56,7 @@ TEST_F(Verbs, explain_knows_what_scaled_the_cells) {
       std::get<double>(query(results, "SELECT cells FROM studies WHERE name = 'coarse'").rows.at(0).at(0)),
       1.5);
   ASSERT_EQ(verb({"explain", text("SELECT key FROM jobs WHERE study = 'coarse' LIMIT 1")}), 0) << output;
-  EXPECT_THAT(output, ContainsRegex("cell_size = 0.6 um .*kill.toml:[0-9]+:[0-9]+, times --cells"));
+  EXPECT_THAT(output, ContainsRegex("cell_size = 600 nm .*kill.toml:[0-9]+:[0-9]+, times --cells"));
 }
 
 TEST_F(Verbs, explain_of_a_search_names_the_section_that_its_speeds_come_from) {
