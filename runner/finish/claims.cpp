@@ -195,16 +195,17 @@ Claim parabola(const Evidence& e) {
   const auto r2 = e.number(c.study, "SELECT r2 " + where + "LIMIT 1");
   const auto c2 = e.number(c.study, "SELECT value " + where + "AND coefficient = 'c2'");
   const auto error = e.number(c.study, "SELECT standard_error " + where + "AND coefficient = 'c2'");
-  const auto u =
-      e.numbers(c.study,
-                "SELECT extrapolated_m_s FROM critical_speed WHERE study = ?1 AND extrapolated_m_s "
-                "IS NOT NULL ORDER BY wall_thickness_m");
+  const auto u = e.numbers(
+      c.study,
+      "SELECT 0.5 * (lower_m_s + upper_m_s) FROM critical_speed WHERE study = ?1 AND extrapolated_m_s "
+      "IS NOT NULL ORDER BY wall_thickness_m");
   if (!r2 || !c2) return c;
   judge(c, *r2 > 0.95 && std::ranges::is_sorted(u),
         fmt::format("r2 = {:.4f}; curvature {:.1f} ± {:.1f} (m/s)/um^2", *r2, *c2 * 1e-12,
                     error.value_or(0) * 1e-12),
-        "critical speeds for cells of size 0, growing, with r2 above 0.95; where the curvature is within its "
-        "error of 0 a straight line does as well");
+        "critical speeds that grow on the finest cell, and r2 above 0.95 for the parabola through those for "
+        "cells of size 0; "
+        "where the curvature is within its error of 0 a straight line does as well");
   return c;
 }
 
