@@ -13,7 +13,7 @@ namespace analysis {
 namespace {
 
 /// Room around and between panels, in points; panel images have `pixels_per_point` pixels a point.
-constexpr double left = 76, right = 100, top = 50, bottom = 76, gap_x = 18, gap_y = 30;
+constexpr double left = 76, right = 118, top = 50, bottom = 76, gap_x = 18, gap_y = 30;
 constexpr double figure_width = 900;
 constexpr double pixels_per_point = 2;
 
