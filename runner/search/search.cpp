@@ -64,7 +64,7 @@ std::optional<Bracket> Search::Entry::bracket() const {
 
 std::vector<int> Search::Entry::next(int most) const {
   if (!search) return {};
-  if (between) return between->next(most);
+  if (between) return between->next(1);  // few are left, and two at once would often be one too many
   auto indices = search->next(most);
   for (int& index : indices) index *= 2;
   return indices;
