@@ -45,6 +45,12 @@ class Grid {
   void grow_to_row(int top);
   void clear();
 
+  /// Where a node of this grid is [m].
+  Vec2 position(const Node& n) const {
+    const auto k = static_cast<int>(&n - nodes_.data());
+    return origin_ + cell_.cwiseProduct(Vec2(k % stride_ - ghosts, k / stride_ - ghosts));
+  }
+
   std::vector<Node>& nodes() { return nodes_; }
   const std::vector<Node>& nodes() const { return nodes_; }
 

@@ -40,6 +40,7 @@ void carry_particles(Particles& ps, Archive& a) {
   a.numbers("deviator", ps.deviator), a.numbers("back_stress", ps.back_stress);
   a.numbers("plastic_strain", ps.plastic_strain), a.numbers("plastic_work", ps.plastic_work);
   a.numbers("half_size", ps.half_size), a.numbers("domain", ps.domain);
+  a.numbers("affine", ps.affine), a.numbers("affine_energy", ps.affine_energy);
 }
 
 }  // namespace mpm

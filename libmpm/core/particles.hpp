@@ -26,11 +26,20 @@ struct Particles {
   /// Half edges of the particle's parallelogram, as columns [m]; empty with schemes that have none (Cpdi).
   std::vector<Mat2> domain;
   std::vector<PlaneTensor> back_stress;  ///< [Pa]; empty without kinematic hardening
+  /// Velocity gradient that the particle carries [1/s], and the kinetic energy of that motion [J/kg]; empty
+  /// with transfers that carry none (Apic).
+  std::vector<Mat2> affine;
+  std::vector<double> affine_energy;
 
   std::size_t size() const { return position.size(); }
   double density(std::size_t p) const { return mass[p] / volume(p); }                   ///< [kg/m^3]
   double volume(std::size_t p) const { return initial_volume[p] * (1 + dilation[p]); }  ///< [m^2]
 
+  /// Kinetic energy of a particle [J/m].
+  double kinetic_energy(std::size_t p) const {
+    const double inside = affine_energy.empty() ? 0 : mass[p] * affine_energy[p];
+    return 0.5 * mass[p] * velocity[p].squaredNorm() + inside;
+  }
   /// Total Cauchy stress, artificial viscosity included [Pa].
   PlaneTensor stress(std::size_t p) const {
     const double mean = -(pressure[p] + viscous_pressure[p]);

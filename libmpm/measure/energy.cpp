@@ -8,7 +8,7 @@ namespace mpm {
 Energy energy_of(const Particles& ps) {
   Energy e;
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    e.kinetic += 0.5 * ps.mass[p] * ps.velocity[p].squaredNorm();
+    e.kinetic += ps.kinetic_energy(p);
     e.internal += ps.mass[p] * ps.energy[p];
   }
   return e;

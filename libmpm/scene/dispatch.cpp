@@ -13,6 +13,7 @@
 #include "libmpm/shape/bspline3.hpp"
 #include "libmpm/shape/cpdi.hpp"
 #include "libmpm/shape/gimp.hpp"
+#include "libmpm/step/apic.hpp"
 #include "libmpm/step/fast/fast_stepper.hpp"
 #include "libmpm/step/flip_pic.hpp"
 #include "libmpm/step/reference_stepper.hpp"
@@ -23,6 +24,8 @@ namespace {
 
 template <ShapeFunctions Shape>
 std::unique_ptr<Stepper> reference_stepper_on(const Scene& s) {
+  if (s.numerics.transfer == Transfer::apic)
+    return std::make_unique<ReferenceStepper<Shape, Apic>>(build_material(s));
   const double f = s.numerics.pic_fraction;
   if (f == 0) return std::make_unique<ReferenceStepper<Shape>>(build_material(s));
   return std::make_unique<ReferenceStepper<Shape, FlipPic>>(build_material(s), FlipPic{f});
@@ -56,7 +59,8 @@ std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
 }  // namespace
 
 bool fast_step_has(const Numerics& n) {
-  return (n.scheme == ShapeFunction::gimp || n.scheme == ShapeFunction::bspline2) && n.pic_fraction == 0;
+  return (n.scheme == ShapeFunction::gimp || n.scheme == ShapeFunction::bspline2) &&
+         n.transfer == Transfer::flip && n.pic_fraction == 0;
 }
 
 std::unique_ptr<Stepper> stepper_for(const Scene& s) {

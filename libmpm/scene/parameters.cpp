@@ -101,6 +101,7 @@ const Quantity quantity_table[] = {
 constexpr std::string_view tension_names[] = {"polynomial", "linear", "cutoff"};
 constexpr std::string_view hardening_names[] = {"norm", "equivalent", "tangent"};
 constexpr std::string_view scheme_names[] = {"gimp", "bspline2", "cpdi", "bspline3"};
+constexpr std::string_view transfer_names[] = {"flip", "apic"};
 constexpr std::string_view symmetry_names[] = {"half", "full"};
 constexpr std::string_view kernel_names[] = {"fast", "reference"};
 constexpr std::string_view precision_names[] = {"double", "float"};
@@ -119,6 +120,9 @@ const Choice choice_table[] = {
     {"hardening_measure", "hardening_measure", "measure of strain of hardening_modulus", M, hardening_names,
      every, CHOICE(material.hardening_measure)},
     {"scheme", "scheme", "shape functions", N, scheme_names, every, CHOICE(numerics.scheme)},
+    {"transfer", "transfer",
+     "how particles and grid exchange velocities: acceleration, or velocity and gradient", N, transfer_names,
+     every, CHOICE(numerics.transfer), "flip"},
     {"symmetry", "symmetry", "model half of the scene (a quarter of a shell) or all of it", N, symmetry_names,
      every, CHOICE(numerics.symmetry)},
     {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against",

@@ -47,6 +47,9 @@ struct Choice {
   bool (*belongs_to)(SceneKind);
   std::size_t (*get)(const Scene&);  ///< index into allowed
   void (*set)(Scene&, std::size_t);
+  /// The word that says what every scene did before there was the choice. It is left out of the identity of a
+  /// scene, so that what was computed then is still found.
+  std::string_view implied = "";
 };
 
 std::span<const Quantity> quantities();

@@ -26,6 +26,12 @@ enum class ShapeFunction {
   bspline3,  ///< cubic B-spline
 };
 
+/// How particles and grid exchange velocities.
+enum class Transfer {
+  flip,  ///< particles take the grid's acceleration (step/flip.hpp), with a share of PIC (step/flip_pic.hpp)
+  apic,  ///< particles take the grid's velocity and its gradient (step/apic.hpp)
+};
+
 /// How much of the configuration is modelled.
 enum class Symmetry {
   half,  ///< x >= 0; of a shell, which has a second mirror at y = 0, the quarter x, y >= 0
@@ -54,6 +60,7 @@ struct Numerics {
   double cell_size = 0;        ///< h [m]
   int particles_per_cell = 0;  ///< 1, 4, 9 or 16, on a square lattice
   ShapeFunction scheme = ShapeFunction::bspline2;
+  Transfer transfer = Transfer::flip;
   Symmetry symmetry = Symmetry::half;
   Kernel kernel = Kernel::fast;
   Precision precision = Precision::double_precision;

@@ -64,9 +64,12 @@ void check_numerics(const Scene& s, Report& report) {
   report.require(k == 1 || k == 4 || k == 9 || k == 16, "particles_per_cell", "1, 4, 9 or 16");
   report.require(n.cfl <= 1, "cfl", "more than 0, at most 1");
   report.require(n.pic_fraction <= 1, "pic_fraction", "from 0 to 1");
+  if (n.transfer == Transfer::apic)
+    report.require(n.pic_fraction == 0, "pic_fraction", "0 with transfer = \"apic\"");
   if (n.kernel == Kernel::fast && !fast_step_has(n))
-    report.add_choice(
-        "kernel", "\"reference\": the fast step has scheme = \"gimp\" and \"bspline2\", pic_fraction = 0");
+    report.add_choice("kernel",
+                      "\"reference\": the fast step has scheme = \"gimp\" and \"bspline2\", transfer = "
+                      "\"flip\", pic_fraction = 0");
   const Material& m = s.material;
   report.require(m.poissons_ratio < 0.5, "poissons_ratio", "0 or more, less than 0.5");
   report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");

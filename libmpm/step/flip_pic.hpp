@@ -15,27 +15,30 @@ namespace mpm {
 struct FlipPic {
   double pic_fraction = 0;  ///< f, a step [1]
 
-  /// Sums over the nodes of one particle.
+  static constexpr bool affine = false;
+  static void start(Particles&) {}
+  static Vec2 brought(const Particles& ps, std::size_t p, const Vec2&) { return ps.velocity[p]; }
+
   struct Sums {
     Flip::Sums flip;
-    Vec2 before = Vec2::Zero();
-    double spread = 0, mixed = 0;
-    void add(const Node& n, double w, const Vec2& own_velocity, double dt) {
-      flip.add(n, w, own_velocity, dt);
+    Vec2 own_velocity, before = Vec2::Zero();
+    double dt, spread = 0, mixed = 0;
+    Sums(const Particles& ps, std::size_t p, double step)
+        : flip(ps, p, step), own_velocity(ps.velocity[p]), dt(step) {}
+    void add(const Node& n, double w, const Vec2& offset) {
+      flip.add(n, w, offset);
       const Vec2 u = n.velocity - dt * n.acceleration;
       before += w * u;
       spread += w * (u - own_velocity).squaredNorm();
       mixed += w * u.dot(n.acceleration);
     }
   };
-  Given given(const Sums& s, const Vec2& own_velocity, double dt) const {
+  double give(const Sums& s, Particles& ps, std::size_t p, double dt) const {
     const double f = pic_fraction;
-    const Vec2 d = s.before - own_velocity;
-    Given g = Flip{}.given(s.flip, own_velocity, dt);
-    g.velocity += f * d;
-    g.heat +=
-        f * s.spread - 0.5 * f * f * d.squaredNorm() + f * dt * (s.mixed - s.before.dot(s.flip.acceleration));
-    return g;
+    const Vec2 d = s.before - s.own_velocity;
+    ps.velocity[p] += dt * s.flip.acceleration + f * d;
+    return s.flip.heat(dt) + f * s.spread - 0.5 * f * f * d.squaredNorm() +
+           f * dt * (s.mixed - s.before.dot(s.flip.acceleration));
   }
 };
 

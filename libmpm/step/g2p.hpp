@@ -1,6 +1,6 @@
 #pragma once
 #include "libmpm/shape/shape.hpp"
-#include "libmpm/step/flip.hpp"
+#include "libmpm/step/p2g.hpp"
 #include "libmpm/step/state.hpp"
 
 namespace mpm {
@@ -11,8 +11,8 @@ namespace mpm {
 ///            + m_p (heat of the transfer) + m_p sum w_ip h_i
 /// v_i is the velocity at the end of the step, v_i - dt a_i/2 that in the middle. The first term of the heat
 /// is the work of the very stress that made the forces, so that what the grid loses the particles receive.
-/// The second is the kinetic energy that the transfer does not carry back (flip.hpp, flip_pic.hpp), never
-/// negative, left as heat where it was lost. The third is the heat of contact with the wall
+/// The second is the kinetic energy that the transfer does not carry back (flip.hpp, flip_pic.hpp, apic.hpp),
+/// left as heat where it was lost. The third is the heat of contact with the wall
 /// (impact_wall.hpp). With all, the sum over the particles of m v^2/2 + m e is constant to rounding, whatever
 /// the step and the shape function; for FLIP, a_p = sum w_ip a_i:
 ///   sum_p m_p (v_p . a_p dt + |a_p|^2 dt^2/2)  +  the second term  =  dt sum_i m_i a_i . (v_i - dt a_i/2)
@@ -23,24 +23,22 @@ double g2p(Particles& particles, const Grid& grid, double dt, std::vector<Mat2>&
   double transfer_heat = 0;
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const auto stencil = stencil_of<Shape>(grid, particles, p);
-    typename Transfer::Sums sums;
+    typename Transfer::Sums sums(particles, p, dt);
     Vec2 velocity = Vec2::Zero();
     Mat2 gradient = Mat2::Zero();
     double power = 0, contact = 0;
     const PlaneTensor stress = particles.stress(p);
     stencil.for_each(grid, [&](const Node& n, double w, const Vec2& g) {
-      sums.add(n, w, particles.velocity[p], dt);
+      sums.add(n, w, offset_of<Transfer>(grid, particles, p, n));
       velocity += w * n.velocity;
       gradient += n.velocity * g.transpose();
       const Vec2 traction(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
       power += traction.dot(n.velocity - 0.5 * dt * n.acceleration);
       contact += w * n.contact_heat;
     });
-    const Given given = transfer.given(sums, particles.velocity[p], dt);
     const double work = dt * particles.volume(p) * power;
-    const double heat = particles.mass[p] * (given.heat + contact);
+    const double heat = particles.mass[p] * (transfer.give(sums, particles, p, dt) + contact);
     particles.energy[p] += (work + heat) / particles.mass[p];
-    particles.velocity[p] += given.velocity;
     particles.position[p] += dt * velocity;
     Shape::follow(grid, particles, p, dt * gradient);
     velocity_gradient[p] = gradient;

@@ -1,24 +1,32 @@
 #pragma once
 #include "libmpm/shape/shape.hpp"
+#include "libmpm/step/flip.hpp"
 #include "libmpm/step/state.hpp"
 
 namespace mpm {
+
+/// From a particle to a node [m]; zero where the transfer does not ask.
+template <class Transfer>
+Vec2 offset_of(const Grid& grid, const Particles& particles, std::size_t p, const Node& n) {
+  if constexpr (Transfer::affine) return grid.position(n) - particles.position[p];
+  return Vec2::Zero();
+}
 
 /// Particles to grid. With w_ip the weight of particle p at node i:
 ///   m_i = sum w_ip m_p,   (m v)_i = sum w_ip m_p v_p,   f_i = - sum V_p sigma_p grad w_ip
 /// Node::velocity receives the momentum and Node::acceleration the force. The sums of m, m v over the nodes
 /// are those over the particles, and the forces add up to zero, to rounding: partition of unity. Source:
 /// Sulsky, Chen, Schreyer 1994, Comput. Methods Appl. Mech. Engng 118, 179.
-template <ShapeFunctions Shape>
+/// v_p may depend on the node: it is what the transfer brings there.
+template <ShapeFunctions Shape, class Transfer = Flip>
 void p2g(const Particles& particles, Grid& grid) {
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const auto stencil = stencil_of<Shape>(grid, particles, p);
     const double mass = particles.mass[p];
-    const Vec2 momentum = mass * particles.velocity[p];
     const PlaneTensor stress = particles.volume(p) * particles.stress(p);
     stencil.for_each(grid, [&](Node& n, double w, const Vec2& g) {
       n.mass += w * mass;
-      n.velocity += w * momentum;
+      n.velocity += w * (mass * Transfer::brought(particles, p, offset_of<Transfer>(grid, particles, p, n)));
       n.acceleration -= Vec2(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
     });
   }

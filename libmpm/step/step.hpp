@@ -6,8 +6,8 @@
 ///   1. p2g       mass, momentum and internal forces go to the grid
 ///   2. mirrors   what lies behind a side wall is the image of what lies before it
 ///   3. grid      a = f/m, v <- v + dt a; the impact wall pushes
-///   4. g2p       particles accelerate (flip.hpp, flip_pic.hpp), move, receive their work and the heat of the
-///   transfer
+///   4. g2p       particles accelerate (flip.hpp, flip_pic.hpp, apic.hpp), move, receive their work and the
+///                heat of the transfer
 ///   5. stress    density, deviator, pressure, viscosity from the new velocity gradient
 ///
 /// Velocities and energies that particles carry belong to the middle between two stresses (leapfrog),
@@ -43,11 +43,12 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt,
     return report;
   }
   if constexpr (requires { Shape::start(state.particles); }) Shape::start(state.particles);
+  Transfer::start(state.particles);
   const int top = static_cast<int>((highest - grid.origin().y()) * grid.inverse_cell().y()) + Shape::reach;
   grid.grow_to_row(top);
   grid.clear();
 
-  p2g<Shape>(state.particles, grid);
+  p2g<Shape, Transfer>(state.particles, grid);
   for (Node& n : grid.nodes()) n.own_mass = n.mass;
   reflect_sides(grid, top);
   if (state.floor == Floor::mirror) reflect_floor(grid);

@@ -60,7 +60,7 @@ void update_stress(State& state, const MaterialModel& model, double dt, StepRepo
     fastest = std::max(fastest, signal);
     if (ps.pressure[p] > model.eos.pressure_limit) overpressed += ps.mass[p];
     if (!MieGrueneisen::holds_at(volume.dilation)) overstrained += ps.mass[p];
-    kinetic += 0.5 * ps.mass[p] * ps.velocity[p].squaredNorm();
+    kinetic += ps.kinetic_energy(p);
     lowest = std::min(lowest, volume.dilation);
     highest = std::max(highest, volume.dilation);
   }

@@ -14,14 +14,29 @@
 namespace mpmstudy {
 namespace {
 
-/// Every shape function with 1, 4 and 9 particles a cell.
+/// Every shape function with 1, 4 and 9 particles a cell; those of the fast step in float too; with B-splines
+/// also the transfer that carries the gradient.
 std::vector<AccuracyScheme> schemes_for(const mpm::Scene& scene) {
   const mpm::Choice& shapes = *mpm::find_choice("scheme");
   std::vector<AccuracyScheme> all;
   for (std::size_t k = 0; k < shapes.allowed.size(); ++k)
-    for (const int particles : {1, 4, 9})
-      all.push_back({std::string(shapes.allowed[k]), particles,
-                     k == shapes.get(scene) && particles == scene.numerics.particles_per_cell});
+    for (const int particles : {1, 4, 9}) {
+      AccuracyScheme scheme{std::string(shapes.allowed[k]), particles};
+      scheme.is_default = k == shapes.get(scene) && particles == scene.numerics.particles_per_cell;
+      all.push_back(scheme);
+      scheme.is_default = false;
+      mpm::Numerics numerics = scene.numerics;
+      numerics.scheme = static_cast<mpm::ShapeFunction>(k);
+      if (mpm::fast_step_has(numerics)) {
+        scheme.precision = "float";
+        all.push_back(scheme);
+        scheme.precision = "double";
+      }
+      if (scheme.shape.starts_with("bspline")) {
+        scheme.transfer = "apic";
+        all.push_back(scheme);
+      }
+    }
   return all;
 }
 
@@ -30,11 +45,16 @@ struct Work {
   AccuracyRow row;
 };
 
+void choose(mpm::Scene& scene, std::string_view choice, const std::string& word) {
+  const mpm::Choice& row = *mpm::find_choice(choice);
+  row.set(scene, static_cast<std::size_t>(std::ranges::find(row.allowed, word) - row.allowed.begin()));
+}
+
 mpm::Scene scene_of(const AccuracyProblem& problem, const AccuracyRow& row) {
-  const mpm::Choice& shapes = *mpm::find_choice("scheme");
   mpm::Scene scene = problem.scene;
-  const auto at = std::ranges::find(shapes.allowed, row.scheme.shape);
-  shapes.set(scene, static_cast<std::size_t>(at - shapes.allowed.begin()));
+  choose(scene, "scheme", row.scheme.shape);
+  choose(scene, "transfer", row.scheme.transfer);
+  choose(scene, "precision", row.scheme.precision);
   scene.numerics.particles_per_cell = row.scheme.particles_per_cell;
   scene.numerics.cell_size = row.cell_size;
   if (!mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
@@ -60,9 +80,7 @@ void find_reference(std::vector<Work*>& rows) {
   for (std::size_t i = 0; i < rows.size();) {
     const AccuracyScheme& scheme = rows[i]->row.scheme;
     std::vector<analysis::LadderPoint> ladder;
-    for (; i < rows.size() && rows[i]->row.scheme.shape == scheme.shape &&
-           rows[i]->row.scheme.particles_per_cell == scheme.particles_per_cell;
-         ++i)
+    for (; i < rows.size() && rows[i]->row.scheme == scheme; ++i)
       if (std::isfinite(rows[i]->row.value))
         ladder.push_back({rows[i]->row.cell_size, rows[i]->row.value, 0});
     if (ladder.size() >= 3) found.push_back(analysis::extrapolate(ladder));
@@ -102,6 +120,13 @@ std::vector<const AccuracyProblem*> wanted(const std::vector<AccuracyProblem>& a
 }
 
 }  // namespace
+
+std::string AccuracyScheme::label() const {
+  std::string text = shape + ", " + std::to_string(particles_per_cell) + " a cell";
+  if (transfer != "flip") text += ", " + transfer;
+  if (precision != "double") text += ", " + precision;
+  return text;
+}
 
 std::vector<AccuracyRow> bench_accuracy(const AccuracyBenchOptions& options) {
   const std::vector<AccuracyProblem> all = accuracy_problems();

@@ -27,13 +27,17 @@ std::vector<AccuracyProblem> accuracy_problems();
 struct AccuracyScheme {
   std::string shape;  ///< `scheme` of the parameter table
   int particles_per_cell = 0;
-  bool is_default = false;  ///< of the problem's kind of scene
+  std::string transfer = "flip", precision = "double";  ///< as in the parameter table
+  bool is_default = false;                              ///< of the problem's kind of scene
+
+  /// "bspline2, 4 a cell, apic, float"; what most schemes are is left out.
+  std::string label() const;
+  bool operator==(const AccuracyScheme&) const = default;
 };
 
 struct AccuracyRow {
   std::string problem, what;
   AccuracyScheme scheme;
-  std::string precision = "double";
   double cell_size = 0;        ///< [m]
   double value = 0;            ///< NaN if the run failed or measured nothing
   double reference = 0;        ///< what it should be

@@ -15,10 +15,6 @@
 namespace mpmstudy {
 namespace {
 
-std::string scheme_label(const AccuracyScheme& s) {
-  return fmt::format("{}, {} a cell{}", s.shape, s.particles_per_cell, s.is_default ? " (default)" : "");
-}
-
 void print_json(const AccuracyRow& r) {
   const auto number = [](double v) { return std::isfinite(v) ? nlohmann::json(v) : nlohmann::json(nullptr); };
   fmt::print("{}\n", nlohmann::json{{"problem", r.problem},
@@ -26,7 +22,8 @@ void print_json(const AccuracyRow& r) {
                                     {"scheme", r.scheme.shape},
                                     {"particles_per_cell", r.scheme.particles_per_cell},
                                     {"default", r.scheme.is_default},
-                                    {"precision", r.precision},
+                                    {"transfer", r.scheme.transfer},
+                                    {"precision", r.scheme.precision},
                                     {"cell_size", r.cell_size},
                                     {"value", number(r.value)},
                                     {"reference", number(r.reference)},
@@ -39,18 +36,17 @@ void print_json(const AccuracyRow& r) {
 }
 
 void print_csv(const AccuracyRow& r) {
-  fmt::print("{},{},{},{},{},{:.6g},{:.10g},{:.10g},{:.3g},{:.4g},{:.4g},{}\n", r.problem, r.what,
-             r.scheme.shape, r.scheme.particles_per_cell, r.precision, r.cell_size, r.value, r.reference,
-             r.reference_error, r.error, r.cpu_s, r.on_front ? 1 : 0);
+  fmt::print("{},{},{},{},{},{},{:.6g},{:.10g},{:.10g},{:.3g},{:.4g},{:.4g},{}\n", r.problem, r.what,
+             r.scheme.shape, r.scheme.particles_per_cell, r.scheme.transfer, r.scheme.precision, r.cell_size,
+             r.value, r.reference, r.reference_error, r.error, r.cpu_s, r.on_front ? 1 : 0);
 }
 
 void print_line(const AccuracyRow& r) {
+  fmt::print("{:<22}{:<28}{:>12.4g}", r.problem, r.scheme.label(), r.cell_size);
   if (!r.problem_of_run.empty())
-    fmt::print("{:<22}{:<12}{:>4}{:>12.4g}  {}\n", r.problem, r.scheme.shape, r.scheme.particles_per_cell,
-               r.cell_size, r.problem_of_run.substr(0, 70));
+    fmt::print("  {}\n", r.problem_of_run.substr(0, 70));
   else
-    fmt::print("{:<22}{:<12}{:>4}{:>12.4g}{:>14.6g}{:>12.2e}{:>10.3f} {}{}\n", r.problem, r.scheme.shape,
-               r.scheme.particles_per_cell, r.cell_size, r.value, r.error, r.cpu_s, r.on_front ? "front" : "",
+    fmt::print("{:>14.6g}{:>12.2e}{:>10.3f} {}{}\n", r.value, r.error, r.cpu_s, r.on_front ? "front" : "",
                r.scheme.is_default ? " default" : "");
 }
 
@@ -72,11 +68,10 @@ void draw_figures(const std::vector<AccuracyRow>& rows, const std::filesystem::p
     for (auto r = first; r != last; ++r) {
       if (r->on_front) front.push_back(&*r);
       if (!r->scheme.is_default && std::none_of(first, last, [&](const AccuracyRow& other) {
-            return other.on_front && other.scheme.shape == r->scheme.shape &&
-                   other.scheme.particles_per_cell == r->scheme.particles_per_cell;
+            return other.on_front && other.scheme == r->scheme;
           }))
         continue;  // best nowhere: in the table, not in the figure
-      const std::string label = scheme_label(r->scheme);
+      const std::string label = r->scheme.label() + (r->scheme.is_default ? " (default)" : "");
       if (plot.series.empty() || plot.series.back().label != label)
         plot.series.push_back({label, {}, {}, {}});
       plot.series.back().x.push_back(r->cpu_s);
@@ -116,11 +111,12 @@ int run_bench_accuracy(const BenchAccuracyOptions& options) {
   const auto rows = bench_accuracy(options.bench);
   if (options.csv)
     fmt::print(
-        "problem,quantity,scheme,particles_per_cell,precision,cell_size_m,value,reference,reference_error,"
+        "problem,quantity,scheme,particles_per_cell,transfer,precision,cell_size_m,value,reference,reference_"
+        "error,"
         "error,cpu_s,on_front\n");
   else if (!options.json)
-    fmt::print("{:<22}{:<12}{:>4}{:>12}{:>14}{:>12}{:>10}\n", "problem", "scheme", "ppc", "cell [m]", "value",
-               "error", "CPU s");
+    fmt::print("{:<22}{:<28}{:>12}{:>14}{:>12}{:>10}\n", "problem", "scheme", "cell [m]", "value", "error",
+               "CPU s");
   for (const AccuracyRow& r : rows) options.json ? print_json(r) : options.csv ? print_csv(r) : print_line(r);
   if (!options.figures.empty()) draw_figures(rows, options.figures);
   return exit_ok;

@@ -29,8 +29,9 @@ std::string canonical_text(const mpm::Scene& scene) {
     text.append("\n");
   }
   for (const mpm::Choice& row : mpm::choices()) {
-    if (!row.belongs_to(scene.kind)) continue;
-    text.append(row.name).append("=").append(row.allowed[row.get(scene)]).append("\n");
+    const std::string_view word = row.allowed[row.get(scene)];
+    if (!row.belongs_to(scene.kind) || word == row.implied) continue;
+    text.append(row.name).append("=").append(word).append("\n");
   }
   text.append("snapshots=");
   for (const double time : scene.measures.snapshots) {

@@ -131,6 +131,14 @@ TEST_F(Checkpoint, of_a_transfer_with_a_share_of_pic) {
   expect_same_bits(s);
 }
 
+TEST_F(Checkpoint, of_an_affine_transfer) {
+  mpm::Scene s = collapse();
+  s.end_time = 1e-9;
+  s.measures.snapshots = {};
+  s.numerics.transfer = mpm::Transfer::apic;
+  expect_same_bits(s);
+}
+
 TEST_F(Checkpoint, of_kinematic_hardening) {
   mpm::Scene s = collapse();
   s.material.kinematic_fraction = 0.5;

@@ -59,6 +59,9 @@ TEST(FindProblems, SchemesThatTheFastStepLacksNeedTheReference) {
   EXPECT_EQ(first_problem(s), "");
   s.numerics.pic_fraction = 1.5;
   EXPECT_EQ(first_problem(s), "pic_fraction: from 0 to 1");
+  s.numerics.pic_fraction = 0.1;
+  s.numerics.transfer = mpm::Transfer::apic;
+  EXPECT_EQ(first_problem(s), "pic_fraction: 0 with transfer = \"apic\"");
 }
 
 TEST(FindProblems, ATangentCavityIsFine) {

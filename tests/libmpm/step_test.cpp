@@ -10,6 +10,7 @@
 #include "libmpm/shape/bspline3.hpp"
 #include "libmpm/shape/cpdi.hpp"
 #include "libmpm/shape/gimp.hpp"
+#include "libmpm/step/apic.hpp"
 #include "libmpm/step/flip_pic.hpp"
 #include "libmpm/step/step.hpp"
 #include "tests/libmpm/random_state.hpp"
@@ -88,18 +89,103 @@ TYPED_TEST(StepTest, HeatOfTheTransferIsNeverNegative) {
     mpm::reference_step<TypeParam>(s, material, 5e-12, mpm::FlipPic{share});
     for (std::size_t p = 0; p < before.size(); ++p) EXPECT_GE(s.particles.energy[p], before[p]);
   }
+  mpm::State s = random_state(scene, 1e-6);
+  for (std::size_t p = 0; p < s.particles.size(); ++p)
+    s.particles.pressure[p] = 0, s.particles.deviator[p] = {};
+  const std::vector<double> before = s.particles.energy;
+  mpm::reference_step<TypeParam>(s, material, 5e-12, mpm::Apic{});
+  for (std::size_t p = 0; p < before.size(); ++p) EXPECT_GE(s.particles.energy[p], before[p]);
 }
 
 // With all of PIC a particle takes the velocity of the grid.
 TEST(FlipPic, OfOneIsPic) {
   mpm::Node n;
   n.velocity = mpm::Vec2(3, 4), n.acceleration = mpm::Vec2(2, 1);
-  const mpm::Vec2 own(7, -1);
-  mpm::FlipPic::Sums sums;
-  sums.add(n, 1, own, 0.5);
-  const mpm::Given given = mpm::FlipPic{1}.given(sums, own, 0.5);
-  EXPECT_NEAR((own + given.velocity - n.velocity).norm(), 0, 1e-15);
-  EXPECT_NEAR(given.heat, 0.5 * (own - mpm::Vec2(2, 3.5)).squaredNorm(), 1e-13);
+  mpm::Particles ps;
+  ps.add({0, 0}, {7, -1}, 1, 1, {1, 1});
+  mpm::FlipPic::Sums sums(ps, 0, 0.5);
+  sums.add(n, 1, {0, 0});
+  const double heat = mpm::FlipPic{1}.give(sums, ps, 0, 0.5);
+  EXPECT_NEAR((ps.velocity[0] - n.velocity).norm(), 0, 1e-15);
+  EXPECT_NEAR(heat, 0.5 * (mpm::Vec2(7, -1) - mpm::Vec2(2, 3.5)).squaredNorm(), 1e-13);
+}
+
+TYPED_TEST(StepTest, ApicKeepsEnergyAndMomentum) {
+  const mpm::Scene scene = scenes::cavity(0.2e-6);
+  const mpm::MaterialModel material = mpm::build_material(scene);
+  for (const double lift : {0.0, 0.13e-6, 1e-6}) {
+    mpm::State s = random_state(scene, lift);
+    const double before = mpm::energy_of(s.particles).total();
+    const double scale = mpm::energy_of(s.particles).kinetic;
+    const double momentum = mpm::momentum_of(s.particles).y();
+    for (int k = 0; k < 3; ++k) mpm::reference_step<TypeParam>(s, material, 2e-12, mpm::Apic{});
+    EXPECT_NEAR((mpm::energy_of(s.particles).total() - before) / scale, 0, 1e-13) << lift;
+    if (lift == 1e-6) {  // the wall is far
+      EXPECT_NEAR(mpm::momentum_of(s.particles).y() / momentum, 1, 1e-12);
+    }
+  }
+}
+
+// What one velocity and one gradient can hold comes through unchanged: a linear field of velocity stays one,
+// and costs nothing.
+TYPED_TEST(StepTest, ApicCarriesALinearFieldWithoutLoss) {
+  const mpm::Scene scene = scenes::cavity(0.2e-6);
+  mpm::State s = mpm::build_state(scene);
+  start_domains<TypeParam>(s.particles);
+  mpm::Apic::start(s.particles);
+  mpm::Mat2 gradient;
+  gradient << 0, 0, 3e8, -2e8;  // no motion through the sides, which are mirrors
+  mpm::Particles& ps = s.particles;
+  std::vector<std::size_t> inner;  // away from the sides
+  const double middle = 0.25 * scene.block_width;
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    ps.position[p].y() += 2e-6;  // away from the wall
+    ps.velocity[p] = mpm::Vec2(0, 100) + gradient * ps.position[p];
+    ps.affine[p] = gradient;
+    if (std::abs(ps.position[p].x() - middle) < 1e-6) inner.push_back(p);
+  }
+  const std::vector<mpm::Vec2> velocity = ps.velocity;
+  mpm::reference_step<TypeParam>(s, mpm::build_material(scene), 1e-14, mpm::Apic{});
+  ASSERT_GT(inner.size(), 100u);
+  for (const std::size_t p : inner) {
+    EXPECT_LT((ps.velocity[p] - velocity[p]).norm(), 1e-10 * velocity[p].norm());
+    EXPECT_LT((ps.affine[p] - gradient).norm(), 1e-8 * gradient.norm());
+  }
+}
+
+// FLIP gains and loses angular momentum by quadrature, APIC does not: a square that turns freely.
+TEST(Apic, KeepsAngularMomentum) {
+  constexpr double cell = 0.2e-6, share = cell / 2;
+  const mpm::Vec2 center(0, 3e-6);
+  const mpm::MaterialModel material = mpm::build_material(scenes::cavity(cell));
+  const auto lost = [&](const auto& transfer) {
+    mpm::State s{{}, mpm::Grid({-2e-6, 0}, {cell, cell}, 20), {}, 0, 0, mpm::Floor::impact_wall};
+    mpm::Particles& ps = s.particles;
+    for (int j = -8; j < 8; ++j)
+      for (int i = -8; i < 8; ++i) {
+        const mpm::Vec2 r = share * mpm::Vec2(i + 0.5, j + 0.5);
+        const double volume = share * share;
+        ps.add(center + r, 1e8 * mpm::Vec2(-r.y(), r.x()), material.eos.rho0 * volume, volume,
+               {share / 2, share / 2});
+      }
+    s.velocity_gradient.assign(ps.size(), mpm::Mat2::Zero());
+    const auto angular = [&] {
+      double sum = 0;
+      for (std::size_t p = 0; p < ps.size(); ++p) {
+        const mpm::Vec2 x = ps.position[p] - center, &v = ps.velocity[p];
+        sum += ps.mass[p] * (x.x() * v.y() - x.y() * v.x());
+        if (ps.affine.empty()) continue;
+        const mpm::Mat2& c = ps.affine[p];  // second moment of the quadratic B-spline: h^2/4
+        sum += ps.mass[p] * 0.25 * cell * cell * (c(1, 0) - c(0, 1));
+      }
+      return sum;
+    };
+    const double before = angular();
+    for (int k = 0; k < 200; ++k) mpm::reference_step<mpm::BSpline2>(s, material, 5e-12, transfer);
+    return std::abs(angular() / before - 1);
+  };
+  EXPECT_LT(lost(mpm::Apic{}), 1e-12);
+  EXPECT_GT(lost(mpm::Flip{}), 1e-6);
 }
 
 TYPED_TEST(StepTest, WithoutStressNothingIsLost) {

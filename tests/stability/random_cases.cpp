@@ -30,7 +30,7 @@ mpm::Scene draw(Dice& d) {
   s.material = mpm::named_material("aluminium");
   s.numerics = mpm::default_numerics(s.kind);
   for (const mpm::Choice& c : mpm::choices())
-    if (c.belongs_to(s.kind)) c.set(s, d.one_of(c.allowed.size()));
+    if (c.belongs_to(s.kind) && c.implied.empty()) c.set(s, d.one_of(c.allowed.size()));
   const double scale = d.log_between(1e-9, 1e3);
   const double sides[] = {1, 4, 9, 16};
   s.numerics.particles_per_cell = static_cast<int>(sides[d.one_of(4)]);
