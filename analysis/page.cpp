@@ -49,7 +49,7 @@ std::string image(const PageImage& image) {
   if (!in || bytes.empty()) throw std::runtime_error(image.file.string() + ": cannot be read");
   const bool svg = image.file.extension() == ".svg";
   return fmt::format(
-      "<figure><img alt=\"{0}\" "
+      "<figure><img loading=\"lazy\" alt=\"{0}\" "
       "src=\"data:image/{1};base64,{2}\"><figcaption>{0}</figcaption></figure>\n",
       escaped(image.caption), svg ? "svg+xml" : "png", base64(bytes));
 }

@@ -22,12 +22,19 @@ std::vector<double> areas_of(const std::vector<std::string>& rows) {
 }
 
 TEST(EmptyRegions, AreClosedAndOrderedBySize) {
-  EXPECT_THAT(areas_of({"#...####", "#.##..##", "####.###", "########"}),
+  EXPECT_THAT(areas_of({"########",  //
+                        "#.##..##",  //
+                        "####.###",  //
+                        "########"}),
               ElementsAre(DoubleEq(3), DoubleEq(1)));
 }
 
 TEST(EmptyRegions, ThatReachTheBorderAreOutside) {
-  EXPECT_THAT(areas_of({"###.####", "#...####", "#####..#", "########"}), ElementsAre(DoubleEq(2)));
+  EXPECT_THAT(areas_of({"###.####",  //
+                        "#...####",  //
+                        "#####..#",  //
+                        "########"}),
+              ElementsAre(DoubleEq(2)));
 }
 
 TEST(EmptyRegions, ThatShareACornerAreTwo) {
