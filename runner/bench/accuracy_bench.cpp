@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -143,10 +144,17 @@ std::vector<AccuracyRow> bench_accuracy(const AccuracyBenchOptions& options) {
         work.push_back({problem, row});
       }
   std::atomic<std::size_t> next{0};
+  std::mutex telling;
+  std::size_t done = 0;
   std::vector<std::thread> threads;
   for (unsigned t = 0; t < std::max(1u, options.workers); ++t)
     threads.emplace_back([&] {
-      for (std::size_t i; (i = next.fetch_add(1)) < work.size();) run(work[i]);
+      for (std::size_t i; (i = next.fetch_add(1)) < work.size();) {
+        run(work[i]);
+        const std::lock_guard lock(telling);
+        ++done;
+        if (options.progress) options.progress(done, work.size());
+      }
     });
   for (std::thread& t : threads) t.join();
 

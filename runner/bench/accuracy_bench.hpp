@@ -52,6 +52,8 @@ struct AccuracyBenchOptions {
   std::vector<std::string> problems;  ///< names; empty: all
   int skip_finest = 0;                ///< rungs to leave out at the fine end, for a quick look
   unsigned workers = 1;
+  /// Told after each run, by any of the threads, one at a time; may be empty.
+  std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
 /// Rows by problem, scheme, cell, in this order. Throws std::invalid_argument for a name that is not a

@@ -50,9 +50,9 @@ class Walk {
   }
   std::size_t particles() const { return particles_; }
 
-  /// Million particle updates a second over at least this many seconds: of processor time, or with more than
-  /// one thread of time that passes.
-  double rate(double seconds, int threads = 1) {
+  /// Million particle updates a second over at least this many seconds, or over as many steps as are wanted:
+  /// of processor time, or with more than one thread of time that passes.
+  double rate(double seconds, int threads = 1, std::int64_t wanted = 0) {
     const auto now = [=] {
       return threads == 1
                  ? thread_cpu_seconds()
@@ -62,11 +62,19 @@ class Walk {
     const double start = now();
     std::int64_t steps = 0;
     do {
-      for (int k = 0; k < 4; ++k, ++steps)
-        signal_ = stepper_->step(state_, scene_.numerics.cfl * state_.grid.cell().minCoeff() / signal_)
-                      .largest_signal;
-    } while (now() - start < seconds);
+      for (int k = 0; k < 4; ++k, ++steps) step();
+    } while (wanted > 0 ? steps < wanted : now() - start < seconds);
     return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) / (now() - start);
+  }
+
+  /// The same up to this time of the run [s].
+  double rate_until(double time) {
+    const double start = thread_cpu_seconds();
+    std::int64_t steps = 0;
+    for (; state_.time < time && std::isfinite(signal_); ++steps) step();
+    if (!(state_.time >= time)) return 0;
+    return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) /
+           (thread_cpu_seconds() - start);
   }
 
   mpm::StepTimes times() const { return stepper_->times(); }
@@ -83,6 +91,11 @@ class Walk {
   }
 
  private:
+  void step() {
+    signal_ =
+        stepper_->step(state_, scene_.numerics.cfl * state_.grid.cell().minCoeff() / signal_).largest_signal;
+  }
+
   mpm::Scene scene_;
   mpm::State state_;
   std::unique_ptr<mpm::Stepper> stepper_;
@@ -128,9 +141,9 @@ KernelBench bench_kernel(const KernelBenchOptions& options) {
         for (const int threads : options.threads) measured.push_back({p, threads, {}, {}});
       std::vector<double> reference_rates;
       for (int k = 0; k < options.repetitions; ++k) {
-        reference_rates.push_back(reference.rate(options.seconds));
+        reference_rates.push_back(reference.rate(options.seconds, 1, options.steps));
         for (Rates& r : measured) {
-          r.fast.push_back(fast[r.precision].rate(options.seconds, r.threads));
+          r.fast.push_back(fast[r.precision].rate(options.seconds, r.threads, options.steps));
           r.to_reference.push_back(r.fast.back() / reference_rates.back());
         }
       }
@@ -163,6 +176,29 @@ KernelBench bench_kernel(const KernelBenchOptions& options) {
       bench.rows.push_back(row("reference", 0, reference, median(reference_rates)));
     }
   return bench;
+}
+
+std::vector<WholeRunRow> bench_whole_run(const KernelBenchOptions& options) {
+  std::vector<WholeRunRow> rows;
+  const mpm::Choice& schemes = *mpm::find_choice("scheme");
+  const mpm::Choice& precisions = *mpm::find_choice("precision");
+  for (std::size_t scheme = 0; scheme < schemes.allowed.size(); ++scheme)
+    for (const std::int64_t wanted : options.particles)
+      for (std::size_t precision = 0; precision < precisions.allowed.size(); ++precision) {
+        mpm::Scene scene = strong_cavity(wanted);
+        schemes.set(scene, scheme);
+        precisions.set(scene, precision);
+        if (!mpm::fast_step_has(scene.numerics)) continue;
+        Walk walk(scene);
+        WholeRunRow row{std::string(schemes.allowed[scheme]),
+                        std::string(precisions.allowed[precision]),
+                        static_cast<std::int64_t>(walk.particles()),
+                        {}};
+        for (int tenth = 0; tenth < 10; ++tenth)
+          row.million_particle_updates_per_s[tenth] = walk.rate_until(0.1 * (tenth + 1) * scene.end_time);
+        rows.push_back(std::move(row));
+      }
+  return rows;
 }
 
 }  // namespace mpmstudy

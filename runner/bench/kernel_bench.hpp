@@ -1,6 +1,7 @@
 #pragma once
 /// How fast the time step is: the strong cavity scene (1120 m/s, 4 particles a cell), stepped for a while by
 /// the fast step and by the reference in turn, everything on but the measures.
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,8 +30,10 @@ struct KernelBenchOptions {
   std::vector<int> threads = {1};                         ///< of the fast step, in one run
   int repetitions = 5;                                    ///< of which the median counts
   double seconds = 0.3;                                   ///< of one repetition
-  bool elastic = false;                                   ///< without plasticity
-  bool kinematic = false;                                 ///< half of the hardening is kinematic
+  int steps = 0;  ///< of one repetition; 0: as many as `seconds` hold. The same number shows sizes in the
+                  ///< same state of the run, where the same time takes small ones much further
+  bool elastic = false;    ///< without plasticity
+  bool kinematic = false;  ///< half of the hardening is kinematic
 };
 
 struct KernelBench {
@@ -41,5 +44,14 @@ struct KernelBench {
 /// Rows of both kernels for every scheme and size. Kernels take turns, so that a machine that changes its
 /// speed changes the ratio little.
 KernelBench bench_kernel(const KernelBenchOptions&);
+
+/// The rate of the fast step from the impact to 12 ns, when jets and rarefaction have mixed the particles.
+struct WholeRunRow {
+  std::string scheme, precision;
+  std::int64_t particles = 0;
+  std::array<double, 10> million_particle_updates_per_s{};  ///< in each tenth of the run's time; 0
+                                                            ///< once the run has broken down
+};
+std::vector<WholeRunRow> bench_whole_run(const KernelBenchOptions&);
 
 }  // namespace mpmstudy

@@ -26,6 +26,10 @@ void setup_bench(CLI::App& app) {
   kernel.add_option("--seconds", options->kernel.seconds, "Processor time of one repetition [s]")
       ->check(CLI::Range(0.001, 600.0))
       ->capture_default_str();
+  kernel.add_option("--steps", options->kernel.steps, "Steps of one repetition, in place of --seconds")
+      ->check(CLI::Range(1, 1'000'000));
+  kernel.add_flag("--whole-run", options->whole_run,
+                  "Rates of the fast step in each tenth of a run to 12 ns, in place of the table");
   kernel.add_flag("--elastic", options->kernel.elastic, "A body that does not yield");
   kernel.add_flag("--kinematic", options->kernel.kinematic,
                   "Half of the hardening is kinematic: back stress");
@@ -33,7 +37,31 @@ void setup_bench(CLI::App& app) {
   kernel.callback([options] { finish(run_bench_kernel(*options)); });
 }
 
+void print_whole_runs(const BenchOptions& options) {
+  if (!options.json)
+    fmt::print("{:<10}{:<10}{:>10}  M updates/s in each tenth of the run\n", "scheme", "precision",
+               "particles");
+  for (const WholeRunRow& r : bench_whole_run(options.kernel)) {
+    if (options.json) {
+      fmt::print("{}\n", nlohmann::json{{"scheme", r.scheme},
+                                        {"precision", r.precision},
+                                        {"particles", r.particles},
+                                        {"million_particle_updates_per_s", r.million_particle_updates_per_s}}
+                             .dump());
+      continue;
+    }
+    fmt::print("{:<10}{:<10}{:>10} ", r.scheme, r.precision, r.particles);
+    for (const double rate : r.million_particle_updates_per_s)
+      if (rate > 0) fmt::print("{:>7.1f}", rate);
+    fmt::print("{}\n", r.million_particle_updates_per_s.back() > 0 ? "" : "  and broke down");
+  }
+}
+
 int run_bench_kernel(const BenchOptions& options) {
+  if (options.whole_run) {
+    print_whole_runs(options);
+    return exit_ok;
+  }
   const KernelBench bench = bench_kernel(options.kernel);
   const Roofline& roofline = bench.roofline;
   if (!options.json) {

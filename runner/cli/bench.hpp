@@ -8,6 +8,7 @@ namespace mpmstudy {
 struct BenchOptions {
   KernelBenchOptions kernel;
   bool json = false;
+  bool whole_run = false;  ///< tenths of a run in place of the table
 };
 
 void setup_bench(CLI::App&);

@@ -1,6 +1,7 @@
 #include "runner/cli/bench_accuracy.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -108,7 +109,13 @@ void setup_bench_accuracy(CLI::App& bench) {
 }
 
 int run_bench_accuracy(const BenchAccuracyOptions& options) {
-  const auto rows = bench_accuracy(options.bench);
+  AccuracyBenchOptions bench = options.bench;
+  if (isatty(STDERR_FILENO))
+    bench.progress = [](std::size_t done, std::size_t all) {
+      fmt::print(stderr, "\r{} of {} runs{}", done, all, done == all ? "\n" : "");
+      std::fflush(stderr);
+    };
+  const auto rows = bench_accuracy(bench);
   if (options.csv)
     fmt::print(
         "problem,quantity,scheme,particles_per_cell,transfer,precision,cell_size_m,value,reference,reference_"

@@ -34,3 +34,18 @@ TEST(BenchKernel, PrintsOneObjectARow) {
   EXPECT_EQ(single, 4);
   EXPECT_EQ(threads, 4 * 1 + 4 * 2 + 2);
 }
+
+TEST(BenchKernel, FollowsAWholeRunByTenths) {
+  FILE* pipe = popen(MPMSTUDY " bench kernel --json --whole-run --particles 1000", "r");
+  std::array<char, 4096> line{};
+  int rows = 0;
+  while (fgets(line.data(), line.size(), pipe)) {
+    const auto row = nlohmann::json::parse(line.data());
+    ++rows;
+    const auto& rates = row.at("million_particle_updates_per_s");
+    ASSERT_EQ(rates.size(), 10u);
+    for (const auto& rate : rates) EXPECT_GT(rate.get<double>(), 0);
+  }
+  EXPECT_EQ(pclose(pipe), 0);
+  EXPECT_EQ(rows, 4);  // two schemes, two precisions
+}
