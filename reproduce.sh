@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # From a clean clone to every figure of the paper and its claims, judged: installs what is missing, builds, runs all
 # studies, writes results/report.html. Running it again goes on where it was.
-#   ./reproduce.sh           coarse cells (0.14 um; Figs. 1 to 4 down to 0.2 um)
-#   ./reproduce.sh --full    fine cells (0.05 um; Figs. 1 to 4 down to 0.07 um)
+#   ./reproduce.sh           coarse cells (0.14 um; Figs. 1 and 4 0.2 um)
+#   ./reproduce.sh --full    fine cells (0.05 um; Figs. 1 and 4 0.07 um)
 # Other options go to `mpmstudy run`: -j N (jobs at a time), --results DIR.
 cd "$(dirname "$0")"
 . cmake/setup.sh

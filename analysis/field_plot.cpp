@@ -13,7 +13,7 @@ namespace analysis {
 namespace {
 
 /// Room around and between panels, in points; panel images have `pixels_per_point` pixels a point.
-constexpr double left = 76, right = 100, top = 50, bottom = 76, gap_x = 18, gap_y = 30;
+constexpr double left = 76, right = 118, top = 50, bottom = 76, gap_x = 18, gap_y = 30;
 constexpr double figure_width = 900;
 constexpr double pixels_per_point = 2;
 
@@ -36,7 +36,8 @@ void check(const FieldPlot& plot) {
   if (!something) throw std::invalid_argument("figure '" + plot.title + "': there is nothing to draw");
 }
 
-/// What all but 1 % of the particles of all panels lie in; from zero where no value is negative.
+/// What all but 1 % of the particles of all panels lie in; from zero where no value is negative, and then to
+/// what one in a thousand exceeds: hot spots are small.
 std::pair<double, double> colour_range(const FieldPlot& plot) {
   if (plot.range) return *plot.range;
   std::vector<double> values;
@@ -49,6 +50,7 @@ std::pair<double, double> colour_range(const FieldPlot& plot) {
   double low = values[cut], high = values[values.size() - 1 - cut];
   // Fields like pressure are near zero where nothing has happened: begin there, not at the noise.
   if (low > 0 && low < 0.2 * high) low = 0;
+  if (values.front() >= 0 && low == 0) high = values[values.size() - 1 - values.size() / 1000];
   if (!(high > low)) high = low + (low == 0 ? 1 : std::abs(low));
   return {low, high};
 }
@@ -155,8 +157,9 @@ void draw(const FieldPlot& plot, const std::filesystem::path& stem) {
   const Window window = plot.window ? *plot.window : window_of(snapshots, plot.mirrored);
   const auto range = colour_range(plot);
   const DisplayUnit length = display_unit("m", std::max(window.width(), window.height()));
-  const DisplayUnit value =
-      display_unit(plot.value.unit, std::max(std::abs(range.first), std::abs(range.second)));
+  const double largest = std::max(std::abs(range.first), std::abs(range.second));
+  const DisplayUnit value = plot.palette == Palette::grey ? paper_unit(plot.value.unit, largest)
+                                                          : display_unit(plot.value.unit, largest);
   const Layout layout = layout_of(plot.panels.size(), window);
   const int columns = std::max(1, static_cast<int>(std::lround(layout.panel_width * pixels_per_point)));
   const int rows = std::max(1, static_cast<int>(std::lround(layout.panel_height * pixels_per_point)));

@@ -13,7 +13,7 @@ namespace analysis {
 
 enum class Palette {
   viridis,  ///< perceptually uniform, safe for colour-blind readers
-  grey,     ///< as in the paper: from black (least) to near white (most)
+  grey,     ///< as in the paper: from black (least) to white (most), in its units
 };
 
 struct FieldPanel {
@@ -30,7 +30,7 @@ struct FieldPlot {
   std::vector<FieldPanel> panels;
   std::optional<Window> window;  ///< what every panel shows; else window_of() them all
   std::optional<std::pair<double, double>>
-      range;  ///< of the colours, SI; else what 99 % of all particles lie in
+      range;  ///< of the colours, SI; else what 99 % of all particles lie in, 99.9 % of what begins at zero
 };
 
 /// Writes stem.png and stem.svg: one panel a snapshot, up to three in a row, all of one scale of length (both

@@ -29,6 +29,7 @@ footer{color:var(--soft);font-size:.82rem;padding-block:24px}
 @media(max-width:600px){header,main,footer{padding-inline:14px}h1{font-size:1.35rem}th,td{padding:5px 7px}
 #claims table,#claims tbody,#claims tr,#claims td{display:block}#claims thead{display:none}
 #claims tr{border-top:1px solid var(--line);padding:6px 0}#claims td{border:0;padding:2px 10px}
+figure:not(.animation){overflow-x:auto}figure:not(.animation) img{max-width:none;min-width:640px}
 #claims td:nth-child(2){font-weight:600}#claims td:nth-child(n+4){color:var(--soft)}}
 )css";
 

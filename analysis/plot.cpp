@@ -76,6 +76,9 @@ std::string rows_of(const Fit& fit, const DisplayUnit& x, const DisplayUnit& y) 
   return rows;
 }
 
+/// With one point to spare Student's t is 12.7: the band would fill the figure and say nothing.
+bool has_band(const Fit& fit) { return !fit.standard_errors.empty() && fit.degrees_of_freedom > 1; }
+
 std::string file_of(std::size_t i) { return fmt::format("'series{}.dat'", i); }
 
 std::string history_clauses(const Plot& plot) {
@@ -104,7 +107,7 @@ std::string history_clauses(const Plot& plot) {
 std::string xy_clauses(const Plot& plot, bool several) {
   std::string clauses;
   if (plot.fit && plot.fit->ok()) {
-    if (!plot.fit->standard_errors.empty())
+    if (has_band(*plot.fit))
       clauses +=
           "'fit.dat' using 1:3:4 with filledcurves lc rgb '#999999' fs transparent solid 0.25 title '95 % "
           "band', ";
@@ -133,9 +136,11 @@ std::string range_of_points(const Plot& plot, const DisplayUnit& y) {
     low = std::min(low, value);
     high = std::max(high, value);
   };
+  bool negative = false;
   for (const Series& s : plot.series)
     for (std::size_t i = 0; i < s.y.size(); ++i) {
       const double error = s.y_error.empty() || !std::isfinite(s.y_error[i]) ? 0 : s.y_error[i];
+      negative = negative || s.y[i] < 0;
       include(s.y[i] - error);
       include(s.y[i] + error);
     }
@@ -143,7 +148,9 @@ std::string range_of_points(const Plot& plot, const DisplayUnit& y) {
     include((*plot.fit)(plot.fit->x_min + (plot.fit->x_max - plot.fit->x_min) * i / fit_samples));
   const double margin = 0.15 * (high - low);
   if (!(margin > 0)) return {};
-  return fmt::format("set yrange [{:.9g}:{:.9g}]\n", (low - margin) * y.factor, (high + margin) * y.factor);
+  // An error bar may reach below zero; speeds and shares that are all positive have no room there.
+  const double bottom = negative ? low - margin : std::max(0.0, low - margin);
+  return fmt::format("set yrange [{:.9g}:{:.9g}]\n", bottom * y.factor, (high + margin) * y.factor);
 }
 
 /// Room around the data so that no point lies on the frame.
@@ -154,7 +161,7 @@ std::string ranges(const Plot& plot, const DisplayUnit& y) {
                          : "set offsets graph 0.04, graph 0.04, graph 0.06, graph 0.06\n";
   if (plot.y_from_zero)
     text += "set yrange [0:*]\n";
-  else if (plot.fit && plot.fit->ok() && !plot.fit->standard_errors.empty())
+  else if (plot.fit && plot.fit->ok() && has_band(*plot.fit))
     text += range_of_points(plot, y);
   return text;
 }
@@ -169,13 +176,20 @@ std::size_t characters(std::string_view utf8) {
   return static_cast<std::size_t>(std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// More entries than this stand at the side: above the axes they would cover title and caption.
-constexpr std::size_t most_entries_above = 4;
+/// More entries, or more letters, than this stand at the side: above the axes they would cover title and
+/// caption.
+constexpr std::size_t most_entries_above = 4, most_letters_above = 60;
 
 std::size_t legend_entries(const Plot& plot) {
   std::size_t count = 0;
-  if (plot.fit && plot.fit->ok()) count += plot.fit->standard_errors.empty() ? 1 : 2;
+  if (plot.fit && plot.fit->ok()) count += has_band(*plot.fit) ? 2 : 1;
   for (const Series& s : plot.series) count += s.label.empty() ? 0 : 1;
+  return count;
+}
+
+std::size_t legend_letters(const Plot& plot) {
+  std::size_t count = 0;
+  for (const Series& s : plot.series) count += characters(s.label);
   return count;
 }
 
@@ -189,7 +203,8 @@ double legend_width(const Plot& plot) {
 
 std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y) {
   const bool history = plot.kind == Plot::Kind::history;
-  const bool at_side = history || legend_entries(plot) > most_entries_above;
+  const bool at_side =
+      history || legend_entries(plot) > most_entries_above || legend_letters(plot) > most_letters_above;
   const std::string caption = caption_of(plot, x, y);
   std::string text;
   text +=

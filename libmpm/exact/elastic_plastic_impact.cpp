@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "libmpm/exact/root.hpp"
+#include "libmpm/exact/uniaxial_strain.hpp"
 
 namespace mpm::exact {
 namespace {
@@ -53,74 +54,6 @@ State jump(const ElasticPlasticSolid& solid, const State& ahead, double u) {
 
 double wave_speed(const ElasticPlasticSolid& solid, const State& ahead, const State& after) {
   return (after.speed - ahead.speed) / (solid.fluid.density * (ahead.volume - after.volume));
-}
-
-// -------------------------------------------------------------------------------------------- release
-
-struct Unloading {
-  double strain, energy, speed;  ///< ln(rho/rho0), e, u: the strain is the variable
-};
-
-/// Signed q on the way down, and dq/dstrain.
-struct Path {
-  double strain0, q0, plastic0, shear, hardening;
-
-  double turned() const { return strain0 - q0 / shear; }  ///< strain where q = -q0
-  bool plastic(double strain) const { return strain < turned(); }
-  double reverse_strain(double strain) const {
-    return plastic(strain) ? 2 * shear * (turned() - strain) / (3 * shear + hardening) : 0;
-  }
-  double q(double strain) const {
-    return plastic(strain) ? -q0 - hardening * reverse_strain(strain) : q0 + 2 * shear * (strain - strain0);
-  }
-  /// On a smooth piece: which one is said by the caller, since the ends of a step touch both.
-  double slope(bool on_plastic_piece) const {
-    return on_plastic_piece ? 2 * shear * hardening / (3 * shear + hardening) : 2 * shear;
-  }
-};
-
-double stress(const ElasticPlasticSolid& solid, const Path& path, const Unloading& at) {
-  return solid.fluid.pressure(solid.fluid.density * std::exp(at.strain), at.energy) +
-         2 * path.q(at.strain) / 3;
-}
-
-Unloading unload(const ElasticPlasticSolid& solid, const Path& path, const Unloading& at, double h,
-                 bool plastic) {
-  const MieGruneisenFluid& fluid = solid.fluid;
-  struct Rate {
-    double energy, speed;  ///< per unit of strain
-  };
-  const auto rate = [&](double strain, double energy) {
-    const double rho = fluid.density * std::exp(strain);
-    const double sigma = fluid.pressure(rho, energy) + 2 * path.q(strain) / 3;
-    const double dv = -1 / rho;  // dV/dstrain
-    const double dsigma =
-        (fluid.pressure_slope(rho) - fluid.gamma * fluid.density * sigma) * dv + 2 * path.slope(plastic) / 3;
-    return Rate{-sigma * dv, -std::sqrt(-dsigma * dv)};
-  };
-  const Rate k1 = rate(at.strain, at.energy);
-  const Rate k2 = rate(at.strain + h / 2, at.energy + h / 2 * k1.energy);
-  const Rate k3 = rate(at.strain + h / 2, at.energy + h / 2 * k2.energy);
-  const Rate k4 = rate(at.strain + h, at.energy + h * k3.energy);
-  return {at.strain + h, at.energy + h / 6 * (k1.energy + 2 * k2.energy + 2 * k3.energy + k4.energy),
-          at.speed + h / 6 * (k1.speed + 2 * k2.speed + 2 * k3.speed + k4.speed)};
-}
-
-/// Goes down one piece in equal steps, at most `steps` of them. True where sigma = 0 was reached on it.
-bool unload_piece(const ElasticPlasticSolid& solid, const Path& path, Unloading& at, double h, int steps,
-                  bool plastic) {
-  const auto tension = [&](const Unloading& u) { return -stress(solid, path, u); };
-  for (int i = 0; i < steps; ++i) {
-    const Unloading next = unload(solid, path, at, h, plastic);
-    if (tension(next) >= 0) {
-      const double part =
-          bisect([&](double f) { return tension(unload(solid, path, at, f * h, plastic)); }, 0, 1);
-      at = unload(solid, path, at, part * h, plastic);
-      return true;
-    }
-    at = next;
-  }
-  return false;
 }
 
 }  // namespace
@@ -174,18 +107,17 @@ ImpactState elastic_plastic_impact(const ElasticPlasticSolid& solid, double part
 }
 
 SimpleRelease simple_release(const ElasticPlasticSolid& solid, const ImpactState& loaded_state) {
-  const double strain = std::log(loaded_state.density / solid.fluid.density);
-  const Path path{strain, loaded_state.von_mises, loaded_state.equivalent_plastic_strain, solid.shear_modulus,
-                  solid.hardening};
-  Unloading at{strain, loaded_state.specific_energy, loaded_state.particle_speed};
-  constexpr int steps = 1000;
-  // In reverse plasticity no bound is known beforehand; a step of the compression's own size / steps is
-  // small.
-  if (!unload_piece(solid, path, at, (path.turned() - strain) / steps, steps, false))
-    while (!unload_piece(solid, path, at, -strain / steps, steps, true)) {
-    }
-  return {at.speed, solid.fluid.density * std::exp(at.strain),
-          loaded_state.equivalent_plastic_strain + path.reverse_strain(at.strain)};
+  UniaxialStrain at(solid, loaded_state);
+  // No bound of the released strain is known beforehand; a thousandth of the compression is a small step.
+  const double step = at.strain() / 1000;
+  const auto after = [&](double part) {
+    UniaxialStrain next = at;
+    next.strain_to(at.strain() - part * step);
+    return next;
+  };
+  while (after(1).normal_stress() > 0) at = after(1);
+  at = after(bisect([&](double part) { return -after(part).normal_stress(); }, 0, 1));
+  return {loaded_state.particle_speed + at.wave_speed_change(), at.density(), at.plastic_strain()};
 }
 
 }  // namespace mpm::exact

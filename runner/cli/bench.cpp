@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/cli/bench_accuracy.hpp"
+#include "runner/cli/bench_exact.hpp"
 
 namespace mpmstudy {
 
@@ -15,6 +16,7 @@ void setup_bench(CLI::App& app) {
   CLI::App& verb = *app.add_subcommand("bench", "Measure this machine");
   verb.require_subcommand(1);
   setup_bench_accuracy(verb);
+  setup_bench_exact(verb);
   CLI::App& kernel = *verb.add_subcommand("kernel", "Particle updates a second, fast step against reference");
   kernel.add_option("--particles", options->kernel.particles, "Sizes to measure [10000 150000]")
       ->check(CLI::Range(1000, 100'000'000));

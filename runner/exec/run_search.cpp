@@ -170,7 +170,8 @@ SearchReport run_search(const Study& study, const SearchOptions& options, Catalo
 
 std::vector<mpm::Scene> possible_scenes(const Study& study) {
   const SearchRequest& request = *study.search;
-  const Lattice lattice(request.lower, request.upper, request.tolerance);
+  Lattice lattice(request.lower, request.upper, request.tolerance);
+  lattice.intervals *= 2;  // half steps: where runs failed
   const mpm::Quantity* critical = mpm::find_quantity(request.critical);
   std::vector<mpm::Scene> scenes;
   for (mpm::Scene scene : study.scenes)

@@ -5,15 +5,25 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/simulation.hpp"
 #include "runner/catalog/query.hpp"
 
 namespace mpmstudy {
 
 /// Where plastic work is largest in a snapshot.
 struct HotSpot {
-  double time = 0;        ///< [s]
-  double x = 0, y = 0;    ///< mass centre of the hottest thousandth [m]; x of the right half
-  double centroid_y = 0;  ///< of the whole body [m]
+  double time = 0;      ///< [s]
+  double x = 0, y = 0;  ///< mass centre of the hottest thousandth [m]; x of the right half
+  /// Of the material around it, out to half of its distance to the axis [rad/s], counter-clockwise: angular
+  /// momentum about the mass centre over moment of inertia.
+  double rotation = 0;
+};
+
+/// Closed empty regions of a snapshot, both halves of the block, each of a cell or more.
+struct Cavities {
+  double time = 0;  ///< [s]
+  std::ptrdiff_t count = 0;
+  double largest = 0, total = 0;  ///< [m^2]
 };
 
 class Evidence {
@@ -38,8 +48,10 @@ class Evidence {
   std::string largest_interval(const std::string& study) const;
   /// Of the study's first done job, one a snapshot, in order of time.
   std::vector<HotSpot> hot_spots(const std::string& study) const;
+  std::vector<Cavities> cavities(const std::string& study) const;
 
  private:
+  std::vector<mpm::Snapshot> snapshots(const std::string& study) const;
   Rows ask(const std::string& study, const std::string& sql) const;
   std::filesystem::path results_;
 };

@@ -64,6 +64,17 @@ void add_extrapolated(const Study& study, const StudyResults& results, const Fig
   }
 }
 
+/// Of several families of critical speeds only those on their finest cell are drawn, with the extrapolated
+/// ones: the coarser ones are in the table of brackets.
+bool is_left_out(const Study& study, const FigureRequest& request, const Group& group) {
+  if (request.y != "critical_speed" || std::ranges::find(study.swept, "cell_size") == study.swept.end())
+    return false;
+  const auto cell = [](const mpm::Scene& s) { return s.numerics.cell_size; };
+  const double finest = cell(*std::ranges::min_element(study.scenes, {}, cell));
+  const bool several = study.swept.size() > 2;  // beside the axis and the cell
+  return several && cell(group.jobs.front()->scene) > finest;
+}
+
 bool draw_xy(const Study& study, const StudyResults& results, const FigureRequest& request,
              const fs::path& stem) {
   analysis::Plot plot;
@@ -75,7 +86,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   const auto groups = group_jobs(study, results, curve_of(study, request.x, request.y));
   for (const Group& group : groups) {
     Column c = column_of(results, group, request.x, request.y);
-    if (c.x.empty()) continue;
+    if (c.x.empty() || is_left_out(study, request, group)) continue;
     const auto fit = std::ranges::find_if(
         study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == request.y; });
     // Several groups have several curves; one formula under the title would speak of one of them only.
@@ -83,7 +94,10 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
     plot.series.push_back({group.label.empty() ? "simulation" : group.label, std::move(c.x), std::move(c.y),
                            std::move(c.y_error)});
   }
-  if (request.y == "critical_speed") add_extrapolated(study, results, request, plot);
+  if (request.y == "critical_speed") {
+    add_extrapolated(study, results, request, plot);
+    plot.y_from_zero = !plot.fit;
+  }
   if (plot.series.empty()) return false;
   draw(plot, stem);
   return true;

@@ -59,16 +59,17 @@ class BracketSearch {
   /// if nothing. Values are those of the lattice.
   std::string flags(const Lattice&) const;
 
+  struct Told {
+    Verdict verdict = Verdict::broken;
+    double distance = 0;
+  };
+  const std::map<int, Told>& told() const { return told_; }
+
  private:
   bool known(int index) const { return told_.contains(index); }
   std::vector<int> outwards() const;
   std::vector<int> inwards(int low, int high, int most) const;
   int between(const Bracket&) const;
-
-  struct Told {
-    Verdict verdict = Verdict::broken;
-    double distance = 0;
-  };
 
   int intervals_;
   std::optional<Guess> guess_;

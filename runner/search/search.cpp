@@ -35,29 +35,57 @@ std::string family_of(mpm::Scene scene, const mpm::Quantity* axis) {
 
 Search::Search(const Study& study)
     : critical_(mpm::find_quantity(study.search->critical)),
-      lattice_(study.search->lower, study.search->upper, study.search->tolerance) {
+      lattice_(study.search->lower, study.search->upper, study.search->tolerance),
+      half_(lattice_) {
+  half_.intervals *= 2;
   const mpm::Quantity* axis = axis_of(study);
   std::map<std::string, std::size_t> families;
   for (const mpm::Scene& scene : study.scenes) {
     const std::size_t family = families.emplace(family_of(scene, axis), families.size()).first->second;
     SearchPoint point{scene, family, axis ? axis->get(scene) : 0, scene.numerics.cell_size, entries_.size()};
-    entries_.push_back({std::move(point), {}, {}});
+    entries_.push_back({std::move(point), {}, {}, {}});
   }
   std::ranges::stable_sort(entries_,
                            [](const Entry& a, const Entry& b) { return a.point.cell > b.point.cell; });
 }
 
-mpm::Scene Search::scene_at(const Entry& entry, int index) const {
+mpm::Scene Search::scene_at(const Entry& entry, int half_steps) const {
   mpm::Scene scene = entry.point.scene;
-  critical_->set(scene, lattice_.value(index));
+  critical_->set(scene, half_.value(half_steps));
   return scene;
+}
+
+std::optional<Bracket> Search::Entry::bracket() const {
+  if (!search) return std::nullopt;
+  if (between) return between->bracket();
+  const auto found = search->bracket();
+  return found ? std::optional(Bracket{2 * found->lower, 2 * found->upper}) : std::nullopt;
+}
+
+std::vector<int> Search::Entry::next(int most) const {
+  if (!search) return {};
+  if (between) return between->next(1);  // few are left, and two at once would often be one too many
+  auto indices = search->next(most);
+  for (int& index : indices) index *= 2;
+  return indices;
+}
+
+/// Runs that failed inside the bracket leave it wider than the tolerance: values half a step from them are
+/// tried too.
+void Search::start_between(Entry& entry) const {
+  if (!entry.search || entry.between || !entry.search->finished()) return;
+  const auto found = entry.search->bracket();
+  if (!found || found->upper - found->lower == 1) return;
+  entry.between.emplace(half_.intervals);
+  for (const auto& [index, told] : entry.search->told())
+    entry.between->tell(2 * index, told.verdict, told.distance);
 }
 
 /// Middle of a bracket that has been found [index of the lattice].
 std::optional<double> Search::found_at(std::size_t family, double along, double cell) const {
   for (const Entry& e : entries_)
-    if (e.point.family == family && e.point.along == along && e.point.cell == cell && e.search)
-      if (const auto b = e.search->bracket(); b && e.search->finished()) return 0.5 * (b->lower + b->upper);
+    if (e.point.family == family && e.point.along == along && e.point.cell == cell && e.finished())
+      if (const auto b = e.bracket()) return 0.25 * (b->lower + b->upper);
   return std::nullopt;
 }
 
@@ -101,7 +129,7 @@ void Search::start_ready() {
     bool waits = false, left = false, right = false, coarsest = true;
     for (const Entry& other : entries_) {
       if (other.point.family != e.point.family) continue;
-      const bool open = !other.search || !other.search->finished();
+      const bool open = !other.finished();
       if (other.point.along == e.point.along && other.point.cell > e.point.cell) {
         coarsest = false;
         waits |= open;
@@ -119,22 +147,22 @@ void Search::start_ready() {
           end_left &= third.point.along >= other.point.along;
           end_right &= third.point.along <= other.point.along;
         }
-        if (end_left || end_right) waits |= !other.search || !other.search->finished();
+        if (end_left || end_right) waits |= !other.finished();
       }
     if (!waits) e.search.emplace(lattice_.intervals, guess(e));
   }
 }
 
 std::vector<mpm::Scene> Search::next_round() {
+  for (Entry& e : entries_) start_between(e);
   start_ready();
   int active = 0;
-  for (const Entry& e : entries_) active += e.search && !e.search->finished();
+  for (const Entry& e : entries_) active += e.search && !e.finished();
   if (active == 0) return {};
   const int values = std::clamp(runs_a_round / active, 1, most_values);
   std::vector<mpm::Scene> scenes;
   for (Entry& e : entries_) {
-    if (!e.search) continue;
-    for (const int index : e.search->next(values)) {
+    for (const int index : e.next(values)) {
       scenes.push_back(scene_at(e, index));
       e.runs.emplace_back(index, job_key(scenes.back()));
     }
@@ -145,7 +173,12 @@ std::vector<mpm::Scene> Search::next_round() {
 void Search::tell(const std::string& key, Verdict verdict, double distance) {
   for (Entry& e : entries_)
     for (const auto& [index, run] : e.runs)
-      if (run == key) e.search->tell(index, verdict, distance);
+      if (run == key) {
+        if (e.between)
+          e.between->tell(index, verdict, distance);
+        else
+          e.search->tell(index / 2, verdict, distance);
+      }
 }
 
 std::vector<FoundBracket> Search::brackets() const {
@@ -153,14 +186,14 @@ std::vector<FoundBracket> Search::brackets() const {
   for (const Entry& e : entries_) {
     FoundBracket found{e.point, {}, {}, {}, {}, "not searched", static_cast<int>(e.runs.size())};
     if (e.search) {
-      found.flags = e.search->flags(lattice_);
-      if (const auto bracket = e.search->bracket()) {
-        found.lower = lattice_.value(bracket->lower);
-        found.upper = lattice_.value(bracket->upper);
+      found.flags = e.between ? e.between->flags(half_) : e.search->flags(lattice_);
+      if (const auto bracket = e.bracket()) {
         for (const auto& [index, key] : e.runs) {
           if (index == bracket->lower) found.lower_key = key;
           if (index == bracket->upper) found.upper_key = key;
         }
+        found.lower = half_.value(bracket->lower);
+        found.upper = half_.value(bracket->upper);
       }
     }
     all.push_back(std::move(found));

@@ -50,15 +50,24 @@ class Search {
   struct Entry {
     SearchPoint point;
     std::optional<BracketSearch> search;  ///< empty: waits for its guess
-    std::vector<std::pair<int, std::string>> runs;
+    /// On half steps, once runs that failed have left the bracket wider than a step.
+    std::optional<BracketSearch> between;
+    std::vector<std::pair<int, std::string>> runs;  ///< index in half steps, key
+
+    bool finished() const { return search && (between ? between->finished() : search->finished()); }
+    /// In half steps.
+    std::optional<Bracket> bracket() const;
+    /// Indices in half steps.
+    std::vector<int> next(int most) const;
   };
-  mpm::Scene scene_at(const Entry&, int index) const;
+  mpm::Scene scene_at(const Entry&, int half_steps) const;
+  void start_between(Entry&) const;
   void start_ready();
   std::optional<Guess> guess(const Entry&) const;
   std::optional<double> found_at(std::size_t family, double along, double cell) const;
 
   const mpm::Quantity* critical_;
-  Lattice lattice_;
+  Lattice lattice_, half_;      ///< steps, and half steps
   std::vector<Entry> entries_;  ///< coarse cells first, in the order of the study
 };
 

@@ -10,6 +10,8 @@
 #include <cmath>
 
 #include "runner/bench/exact/manufactured.hpp"
+#include "runner/bench/exact/problems.hpp"
+#include "tests/verification/expect_numbers.hpp"
 
 namespace {
 
@@ -57,6 +59,19 @@ TEST(Convergence, Vortex) {
   const double fine = vortex_error({bspline2, 32, 3});
   EXPECT_GT(order(coarse, fine), 1.8);
   EXPECT_LT(fine, 0.02);
+}
+
+// What `bench exact` makes of it: the order between each two, and how far down the second order goes.
+TEST(Convergence, IsReportedWithTheErrorThatTheOrderReaches) {
+  const mpmstudy::ExactOptions quick{.cells = 2, .scheme = gimp, .particles_per_cell = 4};
+  const auto numbers = mpmstudy::axis_aligned_numbers(quick);
+  expect_holds(mpmstudy::number_of(numbers, "order, 16 to 32 cells"));
+  expect_holds(mpmstudy::number_of(numbers, "order, 32 to 64 cells"));
+  const auto& reached = mpmstudy::number_of(numbers, "error to which the order is 1.8");
+  EXPECT_EQ(reached.ours, axis_aligned_error({gimp, 64}));
+  // One particle a cell goes astray at once.
+  const auto lost = mpmstudy::axis_aligned_numbers({.cells = 4, .scheme = gimp, .particles_per_cell = 1});
+  EXPECT_FALSE(mpmstudy::number_of(lost, "order, 16 to 32 cells").holds());
 }
 
 }  // namespace

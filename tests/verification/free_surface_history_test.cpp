@@ -1,65 +1,56 @@
 // The whole free-surface history of a planar impact against the one-dimensional reference.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
+#include "runner/bench/exact/problems.hpp"
+#include "runner/bench/exact/surface_history.hpp"
 #include "tests/libmpm/exact/csv.hpp"
-#include "tests/libmpm/scenes.hpp"
+#include "tests/verification/expect_numbers.hpp"
 
 namespace {
 
-/// Speed of the free surface against the moving body, at the times of the snapshots.
-struct TopSpeed : mpm::Observer {
-  explicit TopSpeed(double u) : impact_speed(u) {}
-  void on_snapshot(const mpm::Snapshot& s) override {
-    if (speeds.empty()) top = std::max_element(s.y.begin(), s.y.end()) - s.y.begin();
-    speeds.push_back(s.velocity_y[static_cast<std::size_t>(top)] + impact_speed);
-  }
-  double impact_speed;
-  std::ptrdiff_t top = 0;
-  std::vector<double> speeds;
-};
+using mpmstudy::history_distance;
+using mpmstudy::HistoryDistance;
 
-/// Root mean square difference over the history, and over what follows 2.2 ns (all waves are out by then);
-/// both over the largest speed.
-struct Difference {
-  double whole, late;
-};
-
-Difference difference(double impact_speed, const std::string& column, double cell) {
+std::vector<double> reference(int speed) {
   const auto rows = read_reference("freesurface_history_1d.csv");
-  mpm::Scene s = scenes::planar(impact_speed, 10e-6, cell, 2.6e-9);
-  for (const CsvRow& row : rows)
-    s.measures.snapshots.push_back(std::min(number(row, "t_ns") * 1e-9, s.end_time));
-  TopSpeed top(impact_speed);
-  EXPECT_EQ(mpm::run(s, top).status, mpm::RunStatus::done);
-  EXPECT_EQ(top.speeds.size(), rows.size());
-  double whole = 0, late = 0, late_count = 0, largest = 0;
-  for (std::size_t k = 0; k < std::min(rows.size(), top.speeds.size()); ++k) {
-    const double exact = number(rows[k], column), d = top.speeds[k] - exact;
-    largest = std::max(largest, exact);
-    whole += d * d;
-    if (number(rows[k], "t_ns") > 2.2) late += d * d, ++late_count;
+  const std::vector<double> times = mpmstudy::history_times();
+  EXPECT_EQ(rows.size(), times.size());
+  std::vector<double> speeds;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_NEAR(number(rows[k], "t_ns") * 1e-9, times.at(k), 1e-15);
+    speeds.push_back(number(rows[k], "vfs_" + std::to_string(speed) + "_m_s"));
   }
-  return {std::sqrt(whole / static_cast<double>(rows.size())) / largest,
-          std::sqrt(late / late_count) / largest};
+  return speeds;
+}
+
+HistoryDistance distance(int speed, double cells) {
+  return history_distance(mpmstudy::surface_history(speed, {.cells = cells}), reference(speed));
 }
 
 // What differs is the width of the fronts, a few cells: the rms over the history falls with its root. The
 // speed behind them is that of the reference.
 TEST(FreeSurfaceHistory, At200) {
-  const Difference coarse = difference(200, "vfs_200_m_s", 0.1e-6),
-                   fine = difference(200, "vfs_200_m_s", 0.05e-6);
+  const HistoryDistance coarse = distance(200, 2), fine = distance(200, 1);
   EXPECT_LT(coarse.whole, 0.10);
   EXPECT_LT(coarse.late, 0.005);
   EXPECT_LT(fine.whole, 0.8 * coarse.whole);
   EXPECT_LT(fine.late, 0.0015);
 }
 
+// All seven speeds of the table, and the one-dimensional code in its stead.
+TEST(FreeSurfaceHistory, HoldsTheLadder) { expect_all_hold(mpmstudy::surface_history_numbers({})); }
+
+class History : public testing::TestWithParam<int> {};
+TEST_P(History, IsThatOfTheTable) {
+  const std::vector<double> exact = reference(GetParam()), ours = mpmstudy::surface_history(GetParam(), {});
+  EXPECT_LT(history_distance(ours, exact).whole, 0.08);
+  EXPECT_NEAR(ours.back() / exact.back(), 1, 0.003);
+}
+INSTANTIATE_TEST_SUITE_P(Speeds, History, testing::Values(20, 50, 100, 200, 500, 1120, 1500),
+                         [](const auto& info) { return "u" + std::to_string(info.param); });
+
 TEST(FreeSurfaceHistory, At1120) {
-  const Difference coarse = difference(1120, "vfs_1120_m_s", 0.1e-6),
-                   fine = difference(1120, "vfs_1120_m_s", 0.05e-6);
+  const HistoryDistance coarse = distance(1120, 2), fine = distance(1120, 1);
   EXPECT_LT(coarse.whole, 0.08);
   EXPECT_LT(coarse.late, 0.001);
   EXPECT_LT(fine.whole, 0.75 * coarse.whole);

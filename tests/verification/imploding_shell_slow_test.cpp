@@ -1,33 +1,26 @@
-#include "tests/verification/imploding_shell.hpp"
+#include "runner/bench/exact/problems.hpp"
+#include "tests/verification/shell_cases.hpp"
 
 namespace {
 
-class FineImplodingShell : public testing::TestWithParam<shell::Case> {};
+class FineImplodingShell : public testing::TestWithParam<ShellCase> {};
 
 TEST_P(FineImplodingShell, StopsWhereItShould) {
-  const mpm::Scene s = shell::scene(GetParam(), 0.05e-6);
-  const mpm::RunResult r = mpm::run(s);
-  shell::expect_good_run(r);
-  const shell::Errors to_formula = shell::errors(r, shell::incompressible(s));
-  EXPECT_NEAR(to_formula.radius, 0, 0.01);
-  EXPECT_NEAR(to_formula.time, 0, 0.02);
-  const shell::Errors to_code = shell::errors(r, shell::compressible(s));
-  EXPECT_NEAR(to_code.radius, 0, 0.0005);
-  EXPECT_NEAR(to_code.time, 0, 0.005);
-  EXPECT_LT(scenes::metric(r, "roundness"), 0.01);
-
+  const auto solve = [](double cells) {
+    return mpmstudy::imploding_shell_numbers(GetParam().inner_speed, GetParam().hardening, {.cells = cells});
+  };
+  const auto fine = solve(1);
+  expect_all_hold(fine);
   // The radius' error falls with the cell. That of the time does not have to: the shell rings as it stops,
   // its viscosity damps that more on coarse cells, and the two errors have opposite signs.
-  double last = std::abs(to_code.radius);
-  for (const double cell : {0.1e-6, 0.2e-6}) {
-    const mpm::RunResult coarse = mpm::run(shell::scene(GetParam(), cell));
-    const double error = std::abs(shell::errors(coarse, shell::compressible(s)).radius);
-    EXPECT_GT(error, last) << cell;
+  double last = mpmstudy::number_of(fine, "stop radius, compressible").error();
+  for (const double cells : {2, 4}) {
+    const double error = mpmstudy::number_of(solve(cells), "stop radius, compressible").error();
+    EXPECT_GT(error, last) << cells;
     last = error;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Speeds, FineImplodingShell, testing::ValuesIn(shell::cases),
-                         [](const auto& info) { return shell::name_of(info.param); });
+INSTANTIATE_TEST_SUITE_P(Speeds, FineImplodingShell, testing::ValuesIn(shell_cases), name_of_shell);
 
 }  // namespace

@@ -63,9 +63,6 @@ History solve(double cell, mpm::Tension tension, double spall_strength) {
 
 History reference(double spall_strength) {
   constexpr int cells = 600;
-  const mpm::Material m = mpm::named_material("aluminium");
-  const mpm::exact::MieGruneisenFluid fluid{m.reference_density, m.bulk_sound_speed, m.hugoniot_slope,
-                                            m.gruneisen_gamma,   m.specific_heat,    m.initial_temperature};
   std::vector<double> x, v;
   for (int j = 0; j <= cells; ++j) {
     x.push_back(whole * j / cells);
@@ -73,9 +70,8 @@ History reference(double spall_strength) {
   }
   mpm::exact::Lagrangian1d::Options options;
   options.spall_strength = spall_strength;
-  mpm::exact::Lagrangian1d code(
-      {fluid, m.shear_modulus(), m.yield_stress, m.hardening_per_equivalent_strain()},
-      mpm::exact::Lagrangian1d::Geometry::planar, x, v, options);
+  mpm::exact::Lagrangian1d code(scenes::exact_solid(mpm::named_material("aluminium")),
+                                mpm::exact::Lagrangian1d::Geometry::planar, x, v, options);
   const double before = code.energy();
   History h;
   for (int k = 1; k <= samples; ++k) {

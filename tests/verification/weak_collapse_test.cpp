@@ -1,7 +1,9 @@
 // The weak collapse: trends that the physics demands, and invariances of its description.
 #include <gtest/gtest.h>
 
+#include "runner/bench/exact/problems.hpp"
 #include "tests/libmpm/scenes.hpp"
+#include "tests/verification/expect_numbers.hpp"
 
 namespace {
 
@@ -34,17 +36,7 @@ TEST(WeakCollapse, LargerCavitiesAndHigherYieldStressesCollapseLess) {
 }
 
 TEST(WeakCollapse, HalfOfTheSceneIsTheSceneAtEarlyTimes) {
-  mpm::Scene s = scenes::cavity(0.1e-6);
-  const mpm::RunResult half = mpm::run(s);
-  s.numerics.symmetry = mpm::Symmetry::full;
-  const mpm::RunResult full = mpm::run(s);
-  ASSERT_EQ(half.area_history.size(), full.area_history.size());
-  const double initial = *half.initial_area;
-  for (std::size_t k = 0; k < half.area_history.size(); ++k) {
-    const double phi_half = 1 - half.area_history[k].area / initial;
-    const double phi_full = 1 - full.area_history[k].area / initial;
-    EXPECT_NEAR(phi_full, phi_half, 1e-6) << half.area_history[k].time;
-  }
+  expect_all_hold(mpmstudy::half_and_full_numbers({}));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class NeoHookeanBody {
     if constexpr (requires { Shape::start(ps); }) Shape::start(ps);
     grid.grow_to_row(top + 1 + Shape::reach);
     grid.clear();
-    mpm::p2g<Shape>(ps, grid);
+    mpm::p2g<Shape, Transfer>(ps, grid);
     for (std::size_t p = 0; p < ps.size(); ++p) {
       const mpm::Vec2 b = ps.mass[p] * force(initial_[p], state_.time);
       mpm::stencil_of<Shape>(grid, ps, p).for_each(grid, [&](mpm::Node& n, double w, const mpm::Vec2&) {

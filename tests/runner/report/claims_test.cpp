@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "libmpm/io/vtkhdf.hpp"
 #include "runner/catalog/writer.hpp"
 #include "tests/runner/fakes.hpp"
 
@@ -30,6 +33,22 @@ class Claims : public testing::Test {
     ADD_FAILURE() << "no claim " << name;
     return {};
   }
+  /// A done job with snapshots.
+  void put(CatalogWriter& writer, const std::string& study, const Job& job, mpm::RunResult result,
+           const std::vector<mpm::Snapshot>& snapshots) {
+    writer.register_study(study, study, {job}, false);
+    writer.claim(job.key);
+    FinishedJob done;
+    done.key = job.key;
+    done.result = std::move(result);
+    for (const mpm::Snapshot& s : snapshots) {
+      const std::string path = job.key + std::to_string(done.snapshots.size()) + ".h5";
+      mpm::write_vtkhdf(folder.path() / path, s);
+      done.snapshots.push_back({s.time, 0, path, 0, {}});
+    }
+    writer.finish(done);
+    writer.flush();
+  }
   static mpm::RunResult with(double collapsibility, std::vector<mpm::Metric> metrics = {},
                              std::string outcome = "partial") {
     mpm::RunResult r;
@@ -41,6 +60,45 @@ class Claims : public testing::Test {
   }
   fakes::TemporaryFolder folder;
 };
+
+/// Half a block of 5 by 10 um at rest, cool and whole.
+mpm::Snapshot block(double time_ns) {
+  mpm::Snapshot s;
+  s.time = time_ns * 1e-9;
+  for (int j = 0; j < 100; ++j)
+    for (int i = 0; i < 50; ++i) {
+      s.x.push_back((i + 0.5) * 1e-7);
+      s.y.push_back((j + 0.5) * 1e-7);
+    }
+  const std::size_t n = s.x.size();
+  s.mass.assign(n, 2700e-14);
+  s.density.assign(n, 2700);
+  for (auto column :
+       {&mpm::Snapshot::velocity_x, &mpm::Snapshot::velocity_y, &mpm::Snapshot::pressure,
+        &mpm::Snapshot::stress_xx, &mpm::Snapshot::stress_yy, &mpm::Snapshot::stress_xy,
+        &mpm::Snapshot::stress_zz, &mpm::Snapshot::von_mises, &mpm::Snapshot::equivalent_plastic_strain,
+        &mpm::Snapshot::plastic_work, &mpm::Snapshot::specific_internal_energy, &mpm::Snapshot::temperature})
+    (s.*column).assign(n, 0);
+  return s;
+}
+
+/// With a hole: what was there is gone to a corner.
+mpm::Snapshot with_hole(mpm::Snapshot s, double x, double radius) {
+  for (std::size_t p = 0; p < s.x.size(); ++p)
+    if (std::hypot(s.x[p] - x, s.y[p] - 5e-6) < radius) s.x[p] = s.y[p] = 1e-7;
+  return s;
+}
+
+/// With a hot place that turns.
+mpm::Snapshot with_vortex(mpm::Snapshot s, double x, double turns) {
+  for (std::size_t p = 0; p < s.x.size(); ++p) {
+    const double dx = s.x[p] - x, dy = s.y[p] - 5e-6;
+    s.plastic_work[p] = std::exp(-(dx * dx + dy * dy) / 1e-12);
+    s.velocity_x[p] = -turns * dy;
+    s.velocity_y[p] = turns * dx;
+  }
+  return s;
+}
 
 TEST_F(Claims, AreNotRunWithoutTheirStudies) {
   CatalogWriter writer(folder.path());
@@ -63,19 +121,13 @@ TEST_F(Claims, FollowTheOrderOfTheNumbers) {
 
 TEST_F(Claims, FollowOutcomesAndMetrics) {
   CatalogWriter writer(folder.path());
-  put(writer, "strong-collapse", {fakes::job(1)},
-      {with(
-          1,
-          {{"new_cavities", 4, "1", {}}, {"cavities_at_end", 1, "1", {}}, {"decision_margin", 0.2, "1", {}}},
-          "ejected")});
+  put(writer, "strong-collapse", {fakes::job(1)}, {with(1, {{"decision_margin", 0.2, "1", {}}}, "ejected")});
   EXPECT_EQ(judged("wall-broken").verdict, "holds");
-  EXPECT_EQ(judged("new-cavities").verdict, "holds");
-  EXPECT_EQ(judged("coalescence").verdict, "holds");
-  put(writer, "strong-collapse", {fakes::job(2)},
-      {with(1, {{"new_cavities", 0, "1", {}}, {"cavities_at_end", 0, "1", {}}}, "arrested")});
+  put(writer, "strong-collapse", {fakes::job(2)}, {with(1, {}, "arrested")});
   EXPECT_EQ(judged("wall-broken").verdict, "does not");
-  EXPECT_EQ(judged("new-cavities").verdict, "does not");
-  EXPECT_EQ(judged("coalescence").verdict, "does not");
+  put(writer, "strong-collapse", {fakes::job(9)},
+      {with(1, {{"cavity_joined_outside_time_s", 9e-9, "s", {}}}, "arrested")});
+  EXPECT_EQ(judged("wall-broken").verdict, "holds");
 
   put(writer, "weak-collapse", {fakes::job(3)}, {with(0.8, {{"aspect_ratio", 0.7, "1", {}}})});
   EXPECT_EQ(judged("incomplete-collapse").verdict, "holds");
@@ -88,6 +140,40 @@ TEST_F(Claims, FollowOutcomesAndMetrics) {
   EXPECT_EQ(judged("scale-invariance").verdict, "holds");
   put(writer, "scale-invariance", {fakes::job(7), fakes::job(8)}, {with(0.8), with(0.8000000001)});
   EXPECT_EQ(judged("scale-invariance").verdict, "does not");
+}
+
+TEST_F(Claims, FollowTheCavitiesOfTheSnapshots) {
+  CatalogWriter writer(folder.path());
+  const mpm::RunResult strong = with(1, {{"jet_impact_time_s", 1.5e-9, "s", {}}}, "arrested");
+  // One off the axis is two in the whole block.
+  const auto start = with_hole(block(1.2), 0, 1e-6), apart = with_hole(block(2.4), 2e-6, 0.5e-6);
+  put(writer, "strong-collapse", fakes::job(1), strong,
+      {start, block(1.6), apart, with_hole(block(4.4), 0, 2e-6)});
+  EXPECT_EQ(judged("new-cavities").verdict, "holds");
+  EXPECT_EQ(judged("coalescence").verdict, "holds");
+  EXPECT_THAT(judged("coalescence").measured, testing::StartsWith("2 at 2.4 ns"));
+  put(writer, "strong-collapse", fakes::job(2), strong, {start, block(1.6), apart});
+  EXPECT_EQ(judged("new-cavities").verdict, "holds");
+  EXPECT_EQ(judged("coalescence").verdict, "does not");
+  put(writer, "strong-collapse", fakes::job(3), strong, {start, block(1.6), block(4.4)});
+  EXPECT_EQ(judged("new-cavities").verdict, "does not");
+  EXPECT_EQ(judged("coalescence").verdict, "does not");
+}
+
+TEST_F(Claims, FollowWhatTurnsAroundTheHotSpots) {
+  CatalogWriter writer(folder.path());
+  const mpm::RunResult jet = with(1, {{"jet_impact_time_s", 1.7e-9, "s", {}}});
+  const auto run = [&](int n, double x, double turns) {
+    put(writer, "two-body-jet", fakes::job(n), jet,
+        {with_vortex(block(2), x, turns), with_vortex(block(3), x, turns)});
+  };
+  run(1, 1e-6, -2e9);
+  EXPECT_EQ(judged("hot-spots-in-vortices").verdict, "holds");
+  EXPECT_THAT(judged("hot-spots-in-vortices").measured, testing::HasSubstr("2.0 rad"));
+  run(2, 1e-6, 0.1e9);  // hardly turns
+  EXPECT_EQ(judged("hot-spots-in-vortices").verdict, "does not");
+  run(3, 0.1e-6, -2e9);  // on the axis
+  EXPECT_EQ(judged("hot-spots-in-vortices").verdict, "does not");
 }
 
 TEST_F(Claims, FollowTheFitOfTheCriticalSpeed) {

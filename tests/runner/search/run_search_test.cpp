@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
+#include <functional>
 #include <mutex>
 #include <set>
 
@@ -56,6 +58,11 @@ class SearchStudy : public testing::Test {
         if (static_cast<int>(simulated.size()) == stop_at) flag.ask(SIGTERM);
       }
       mpm::RunResult r = fakes::simulate(s, o);
+      if (breaks && breaks(s)) {
+        r.status = mpm::RunStatus::failed;
+        r.reason = "made to fail";
+        return r;
+      }
       const bool whole = s.measures.stop == mpm::Stop::end_time;
       r.outcome = s.impact_speed > critical_speed(s) || (whole && late) ? "ejected" : "arrested";
       return r;
@@ -73,7 +80,8 @@ class SearchStudy : public testing::Test {
   std::mutex mutex;
   std::set<std::string> simulated;
   int stop_at = -1;
-  bool late = false;  ///< runs to the end say "ejected" whatever the speed
+  std::function<bool(const mpm::Scene&)> breaks;  ///< which runs fail
+  bool late = false;                              ///< runs to the end say "ejected" whatever the speed
 };
 
 TEST_F(SearchStudy, BracketsHoldTheCriticalSpeedAndNameTheirProofs) {
@@ -134,6 +142,24 @@ TEST_F(SearchStudy, IsTheSameForAnyNumberOfWorkersAndAfterAStop) {
   for (const auto& row : done.rows) simulated.insert(std::get<std::string>(row[0]));
   EXPECT_EQ(search(folder.path() / "stopped", 2).run.left(), 0);
   EXPECT_EQ(rows(folder.path() / "stopped"), rows(folder.path() / "one"));
+}
+
+TEST_F(SearchStudy, WhereRunsFailHalfStepsKeepTheTolerance) {
+  breaks = [](const mpm::Scene& s) {
+    const double off = std::abs(std::remainder(s.impact_speed, 10));
+    return off < 1e-6 && std::abs(s.impact_speed - critical_speed(s)) < 5;
+  };
+  int narrowed = 0;
+  for (const FoundBracket& b : search(folder.path(), 2).brackets) {
+    ASSERT_TRUE(b.lower && b.upper);
+    EXPECT_LE(*b.upper - *b.lower, 10 + 1e-6);
+    const double critical = critical_speed(b.point.scene);
+    EXPECT_LE(*b.lower, critical);
+    EXPECT_GE(*b.upper, critical);
+    EXPECT_FALSE(b.lower_key.empty() || b.upper_key.empty());
+    narrowed += b.flags.find("failed at") != std::string::npos && std::abs(std::remainder(*b.lower, 10)) > 1;
+  }
+  EXPECT_GT(narrowed, 0);
 }
 
 TEST_F(SearchStudy, RunningAgainRunsNothing) {
