@@ -3,7 +3,7 @@
 cd "$(dirname "$0")"
 . cmake/setup.sh
 
-install_missing build test
+install_missing build test slurm
 build release -DMPM_TESTS=ON
 say "testing"
 exec ctest --preset release -j "$(nproc)" "$@"
