@@ -219,7 +219,9 @@ std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y)
                       gnuplot_text(axis_label(plot.x, x)), gnuplot_text(axis_label(plot.y, y)));
   text += "set border 3 lw 1 lc rgb '#333333'\nset tics nomirror out scale 0.7 tc rgb '#222222'\n";
   text += "set grid xtics ytics lt 1 lw 0.5 lc rgb '#dddddd'\nset format '%g'\n";
-  text += "set lmargin at screen 0.105\nset bmargin at screen 0.135\n";
+  // powers of ten are the widest numbers that an axis shows
+  text +=
+      fmt::format("set lmargin at screen {}\nset bmargin at screen 0.135\n", plot.log_axes ? 0.13 : 0.105);
   if (at_side) {
     const double right = 0.985 - legend_width(plot);
     text += fmt::format("set tmargin at screen {}\nset rmargin at screen {}\n",
