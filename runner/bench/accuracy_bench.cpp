@@ -74,8 +74,9 @@ void run(Work& work) {
     row.problem_of_run = "not measured";
 }
 
-/// Where nothing is exact: each scheme's ladder, extrapolated. The narrowest interval is the reference; it is
-/// widened until it reaches the next one, which another scheme found.
+/// Where nothing is exact: each scheme's ladder, extrapolated. No single ladder is to be trusted, however
+/// narrow its interval: schemes differ by more. The reference is the middle of the five narrowest, and its
+/// interval reaches over all five.
 void find_reference(std::vector<Work*>& rows) {
   std::vector<analysis::Extrapolation> found;
   for (std::size_t i = 0; i < rows.size();) {
@@ -84,16 +85,18 @@ void find_reference(std::vector<Work*>& rows) {
     for (; i < rows.size() && rows[i]->row.scheme == scheme; ++i)
       if (std::isfinite(rows[i]->row.value))
         ladder.push_back({rows[i]->row.cell_size, rows[i]->row.value, 0});
-    if (ladder.size() >= 3) found.push_back(analysis::extrapolate(ladder));
+    const bool own = scheme.precision == "double";  // in float a scheme says the same again
+    if (ladder.size() >= 3 && own) found.push_back(analysis::extrapolate(ladder));
   }
   std::ranges::sort(found, {}, &analysis::Extrapolation::extrapolated_error);
+  found.resize(std::min<std::size_t>(found.size(), 5));
+  std::vector<double> values;
+  for (const analysis::Extrapolation& e : found) values.push_back(e.extrapolated_value);
+  std::ranges::sort(values);
   for (Work* w : rows) {
-    w->row.reference = found.empty() ? std::numeric_limits<double>::quiet_NaN() : found[0].extrapolated_value;
-    if (found.empty()) continue;
-    w->row.reference_error = found[0].extrapolated_error;
-    if (found.size() > 1)
-      w->row.reference_error = std::max(w->row.reference_error,
-                                        std::abs(found[1].extrapolated_value - found[0].extrapolated_value));
+    w->row.reference = values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[values.size() / 2];
+    if (!values.empty())
+      w->row.reference_error = std::max(values.back() - w->row.reference, w->row.reference - values.front());
   }
 }
 
