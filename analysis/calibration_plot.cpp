@@ -49,11 +49,11 @@ void draw(const CalibrationPlot& plot, const std::filesystem::path& stem) {
   text += "set xlabel 'Half width that coarse cells give / value'\n";
   text += "set ylabel 'Difference from fine cells / value' offset -1,0\n";
   text += "set border 3 lw 1 lc rgb '#333333'\nset tics nomirror out scale 0.7 tc rgb '#222222'\n";
-  text += "set grid xtics ytics lt 1 lw 0.5 lc rgb '#dddddd'\nset logscale xy\nset format '10^{%L}'\n";
+  text += "set grid xtics ytics lt 1 lw 0.5 lc rgb '#dddddd'\nset logscale xy\nset format '%g'\n";
   text +=
       fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", least_half_width, most, least_difference, most);
   text +=
-      "set lmargin at screen 0.115\nset bmargin at screen 0.135\nset tmargin at screen 0.815\n"
+      "set lmargin at screen 0.13\nset bmargin at screen 0.135\nset tmargin at screen 0.815\n"
       "set rmargin at screen 0.965\n"
       "set key at screen 0.535, screen 0.855 center center horizontal Left reverse samplen 2\n";
   text +=
