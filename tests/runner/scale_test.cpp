@@ -101,7 +101,7 @@ class Scale : public testing::Test {
 };
 
 // Times depend on the machine and on what else it does: they are printed, not judged. The aims are 2 s, 1 ms,
-// 1 s, and 100 ms for what answers with less than a thousand rows.
+// 1 s and 100 ms.
 TEST_F(Scale, a_hundred_thousand_jobs) {
   const Stopwatch planning;
   const Plan large = plan("large", 250, 400);
