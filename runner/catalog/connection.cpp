@@ -25,12 +25,14 @@ struct Header {
   bool empty = true;  ///< no table at all
 };
 
+/// In one statement, so that it sees one state: between two of them another runner may make the catalog.
 Header read_header(SQLite::Database& db) {
-  Header header;
-  header.application_id = db.execAndGet("PRAGMA application_id").getInt();
-  header.version = db.execAndGet("PRAGMA user_version").getInt();
-  header.empty = db.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
-  return header;
+  SQLite::Statement row(
+      db,
+      "SELECT (SELECT application_id FROM pragma_application_id), (SELECT user_version FROM "
+      "pragma_user_version), (SELECT count(*) FROM sqlite_schema)");
+  row.executeStep();
+  return {row.getColumn(0).getInt(), row.getColumn(1).getInt(), row.getColumn(2).getInt() == 0};
 }
 
 /// Throws unless the file is a catalog that this build can use, or is empty.
