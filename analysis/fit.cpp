@@ -1,6 +1,7 @@
 #include "analysis/fit.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -40,10 +40,10 @@ void reflect_sides(Grid& grid, int top_row) {
   }
 }
 
-void reflect_floor(Grid& grid) {
+void reflect_row(Grid& grid, int row, int layers) {
   for (int i = -Grid::ghosts; i <= grid.columns() + Grid::ghosts; ++i) {
-    stop(grid.at(i, 0), 1);
-    for (int k = 1; k <= Grid::ghosts; ++k) join(grid.at(i, k), grid.at(i, -k), 1);
+    stop(grid.at(i, row), 1);
+    for (int k = 1; k <= layers; ++k) join(grid.at(i, row + k), grid.at(i, row - k), 1);
   }
 }
 

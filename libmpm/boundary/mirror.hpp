@@ -15,7 +15,11 @@ enum class Floor {
   mirror        ///< two-sided: what lies below is the image of what lies above
 };
 
-/// A mirror at y = origin. Call after reflect_sides.
-void reflect_floor(Grid&);
+/// A mirror along a row of nodes, which both sides of it share: `layers` rows above and below are images of
+/// each other. The rows must be there. Call after reflect_sides.
+void reflect_row(Grid&, int row, int layers);
+
+/// A mirror at y = origin.
+inline void reflect_floor(Grid& grid) { reflect_row(grid, 0, Grid::ghosts); }
 
 }  // namespace mpm

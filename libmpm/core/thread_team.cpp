@@ -1,17 +1,11 @@
 #include "libmpm/core/thread_team.hpp"
 
-#include <time.h>
-
 #include <algorithm>
+
+#include "libmpm/core/thread_clock.hpp"
 
 namespace mpm {
 namespace {
-
-std::int64_t thread_nanoseconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec;
-}
 
 // Parts of ThreadTeam::work_.
 constexpr std::uint32_t open = 1, joined = 2, number = 1 << 12;
@@ -56,7 +50,7 @@ void ThreadTeam::do_parts() {
 }
 
 void ThreadTeam::help() {
-  std::int64_t told = 0;
+  double told = 0;
   for (std::uint32_t seen = 0;;) {
     work_.wait(seen, std::memory_order_acquire);
     std::uint32_t now = work_.load(std::memory_order_acquire);
@@ -67,8 +61,8 @@ void ThreadTeam::help() {
       continue;
     }
     do_parts();
-    const std::int64_t spent = thread_nanoseconds();
-    nanoseconds_.fetch_add(spent - told, std::memory_order_relaxed);
+    const double spent = thread_cpu_seconds();
+    seconds_.fetch_add(spent - told, std::memory_order_relaxed);
     told = spent;
     seen = now + joined;
     returned_.fetch_add(1, std::memory_order_release);

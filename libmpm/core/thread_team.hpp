@@ -26,7 +26,7 @@ class ThreadTeam {
   void run(std::size_t parts, const std::function<void(std::size_t)>& part);
 
   /// Processor time of the threads beside the caller, so far [s].
-  double helper_seconds() const { return 1e-9 * static_cast<double>(nanoseconds_.load()); }
+  double helper_seconds() const { return seconds_.load(); }
 
  private:
   void help();
@@ -42,7 +42,7 @@ class ThreadTeam {
   std::atomic<std::uint32_t> work_{0};
   std::atomic<std::uint32_t> returned_{0};  ///< of those that have joined
   std::atomic<bool> end_{false};
-  std::atomic<std::int64_t> nanoseconds_{0};
+  std::atomic<double> seconds_{0};
 };
 
 }  // namespace mpm

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "analysis/extrapolation.hpp"
+#include "libmpm/core/thread_clock.hpp"
 #include "libmpm/scene/parameters.hpp"
-#include "runner/exec/thread_clock.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -64,9 +64,9 @@ mpm::Scene scene_of(const AccuracyProblem& problem, const AccuracyRow& row) {
 
 void run(Work& work) {
   AccuracyRow& row = work.row;
-  const double start = thread_cpu_seconds();
+  const double start = mpm::thread_cpu_seconds();
   const mpm::RunResult result = mpm::run(scene_of(*work.problem, row));
-  row.cpu_s = thread_cpu_seconds() - start;
+  row.cpu_s = mpm::thread_cpu_seconds() - start;
   row.value = std::numeric_limits<double>::quiet_NaN();
   if (result.status != mpm::RunStatus::done)
     row.problem_of_run = result.reason;

@@ -56,8 +56,8 @@ struct AccuracyBenchOptions {
   std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
-/// Rows by problem, scheme, cell, in this order. The finest cells are for the schemes of the fast step alone: a
-/// rung is eight times the work of the one before. Throws std::invalid_argument for a name that is not a
+/// Rows by problem, scheme, cell, in this order. The finest cells are for the schemes of the fast step alone:
+/// a rung is eight times the work of the one before. Throws std::invalid_argument for a name that is not a
 /// problem's.
 std::vector<AccuracyRow> bench_accuracy(const AccuracyBenchOptions&);
 

@@ -4,6 +4,7 @@
 #include "libmpm/exact/elastic_plastic_impact.hpp"
 #include "libmpm/exact/lagrangian_1d.hpp"
 #include "runner/bench/accuracy_bench.hpp"
+#include "runner/bench/exact/scenes.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -11,36 +12,11 @@ namespace {
 constexpr double um = 1e-6, ns = 1e-9;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double metric(const mpm::RunResult& r, const std::string& name) {
-  for (const mpm::Metric& m : r.metrics)
-    if (m.name == name) return m.value;
-  return nan;
-}
-
-mpm::Scene scene_of(mpm::SceneKind kind) {
-  mpm::Scene s;
-  s.kind = kind;
-  s.material = mpm::named_material("aluminium");
-  s.numerics = mpm::default_numerics(kind);
-  return s;
-}
-
-mpm::exact::ElasticPlasticSolid solid_of(const mpm::Material& m) {
-  return {{m.reference_density, m.bulk_sound_speed, m.hugoniot_slope, m.gruneisen_gamma, m.specific_heat,
-           m.initial_temperature},
-          m.shear_modulus(),
-          m.yield_stress,
-          m.hardening_per_equivalent_strain()};
-}
+using scenes::metric;
 
 AccuracyProblem planar(const char* name, const char* what, double speed, double exact) {
-  mpm::Scene s = scene_of(mpm::SceneKind::planar_impact);
-  s.impact_speed = speed;
-  s.block_height = 20 * um;
-  s.block_width = 3.2 * um;  // eight cells of the coarsest rung, the fewest that are allowed
-  s.end_time = 3.6 * ns;
-  s.measures.area_every = s.end_time / 20;
-  s.numerics.cell_size = 0.4 * um;
+  // the width is that of the coarsest rung, where eight cells are the fewest that are allowed
+  const mpm::Scene s = scenes::planar(speed, 20 * um, 0.4 * um, 3.6 * ns);
   const std::string number = what;
   return {name,
           what,
@@ -51,13 +27,7 @@ AccuracyProblem planar(const char* name, const char* what, double speed, double 
 }
 
 AccuracyProblem shell() {
-  mpm::Scene s = scene_of(mpm::SceneKind::imploding_shell);
-  s.inner_radius = 1.5 * um;
-  s.outer_radius = 3 * um;
-  s.inner_speed = 185.0293;  // a row of verney_cylinder_al.csv
-  s.end_time = 9 * ns;
-  s.measures.area_every = s.end_time / 100;
-  s.numerics.cell_size = 0.3 * um;
+  const mpm::Scene s = scenes::shell(185.0293, 0.3 * um);  // a row of verney_cylinder_al.csv
   return {"imploding-shell",
           "stop_radius_m",
           s,
@@ -65,22 +35,15 @@ AccuracyProblem shell() {
           [](const mpm::RunResult& r) { return metric(r, "stop_radius_m"); },
           [s] {
             constexpr int shells = 120;
-            return mpm::exact::compressible_shell_stop(solid_of(s.material), s.inner_radius, s.outer_radius,
-                                                       s.inner_speed, shells)
+            return mpm::exact::compressible_shell_stop(scenes::exact_solid(s.material), s.inner_radius,
+                                                       s.outer_radius, s.inner_speed, shells)
                 .radius;
           }};
 }
 
 AccuracyProblem weak_collapse() {
-  mpm::Scene s = scene_of(mpm::SceneKind::cavity_impact);
-  s.impact_speed = 200;
-  s.block_width = 10 * um;
-  s.block_height = 5 * um;
-  s.cavity_radius = 1.5 * um;
-  s.cavity_center_height = 1.9 * um;
+  mpm::Scene s = scenes::cavity(0.4 * um);
   s.end_time = 16 * ns;
-  s.measures.area_every = 0.05 * ns;
-  s.numerics.cell_size = 0.4 * um;
   return {"weak-collapse",
           "collapsibility",
           s,
@@ -108,7 +71,7 @@ AccuracyProblem strong_collapse() {
 
 std::vector<AccuracyProblem> accuracy_problems() {
   const auto exact = [](double speed) {
-    return mpm::exact::elastic_plastic_impact(solid_of(mpm::named_material("aluminium")), speed);
+    return mpm::exact::elastic_plastic_impact(scenes::exact_solid(mpm::named_material("aluminium")), speed);
   };
   const auto weak = exact(200), strong = exact(1120);
   return {planar("planar-1120-stress", "shock_normal_stress_Pa", 1120, strong.normal_stress),

@@ -7,10 +7,10 @@
 #include <memory>
 #include <numbers>
 
+#include "libmpm/core/thread_clock.hpp"
 #include "libmpm/mpm.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/dispatch.hpp"
-#include "runner/exec/thread_clock.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -55,7 +55,7 @@ class Walk {
   double rate(double seconds, int threads = 1, std::int64_t wanted = 0) {
     const auto now = [=] {
       return threads == 1
-                 ? thread_cpu_seconds()
+                 ? mpm::thread_cpu_seconds()
                  : std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     };
     stepper_->use_threads(threads);
@@ -69,12 +69,12 @@ class Walk {
 
   /// The same up to this time of the run [s].
   double rate_until(double time) {
-    const double start = thread_cpu_seconds();
+    const double start = mpm::thread_cpu_seconds();
     std::int64_t steps = 0;
     for (; state_.time < time && std::isfinite(signal_); ++steps) step();
     if (!(state_.time >= time)) return 0;
     return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) /
-           (thread_cpu_seconds() - start);
+           (mpm::thread_cpu_seconds() - start);
   }
 
   mpm::StepTimes times() const { return stepper_->times(); }

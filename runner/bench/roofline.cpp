@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "libmpm/core/thread_clock.hpp"
 #include "libmpm/step/fast/kernels.hpp"
-#include "runner/exec/thread_clock.hpp"
 
 #if defined(__x86_64__)
 #define MPMSTUDY_AVX2 __attribute__((target("avx2,fma")))
@@ -58,11 +58,11 @@ template <class Work>
 double best_rate(int repetitions, double seconds, Work work) {
   double best = 0;
   for (int k = 0; k < repetitions; ++k) {
-    const double start = thread_cpu_seconds();
+    const double start = mpm::thread_cpu_seconds();
     double done = 0;
     do done += work();
-    while (thread_cpu_seconds() - start < seconds);
-    best = std::max(best, done / (thread_cpu_seconds() - start));
+    while (mpm::thread_cpu_seconds() - start < seconds);
+    best = std::max(best, done / (mpm::thread_cpu_seconds() - start));
   }
   return best;
 }

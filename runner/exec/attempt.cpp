@@ -1,5 +1,5 @@
 #include "runner/exec/attempt.hpp"
-#include "runner/exec/thread_clock.hpp"
+#include "libmpm/core/thread_clock.hpp"
 
 #include <fmt/format.h>
 #include <chrono>
@@ -24,12 +24,12 @@ class Spending {
   void add(const JobCheckpoint& before) { before_ = {before.wall_s, before.cpu_s}; }
   Spent until_now() const {
     return {before_.wall_s + std::chrono::duration<double>(Clock::now() - wall_).count(),
-            before_.cpu_s + thread_cpu_seconds() - cpu_};
+            before_.cpu_s + mpm::thread_cpu_seconds() - cpu_};
   }
 
  private:
   Clock::time_point wall_ = Clock::now();
-  double cpu_ = thread_cpu_seconds();
+  double cpu_ = mpm::thread_cpu_seconds();
   Spent before_;
 };
 
@@ -56,13 +56,13 @@ class JobObserver : public mpm::Observer {
   mpm::Record* resume_from() override { return files_.checkpoint() ? &files_.checkpoint()->run : nullptr; }
   bool wants_checkpoint() override {
     if (context_.checkpoint_s <= 0) return false;
-    const double since = thread_cpu_seconds() - saved_;
+    const double since = mpm::thread_cpu_seconds() - saved_;
     return since > context_.checkpoint_s || (since > worth_saving && context_.stopping());
   }
   void on_checkpoint(const mpm::Record& run) override {
     const Spent spent = spent_.until_now();
     files_.write_checkpoint(run, spent.wall_s, spent.cpu_s);
-    saved_ = thread_cpu_seconds();
+    saved_ = mpm::thread_cpu_seconds();
   }
 
   bool late() const { return late_; }
@@ -72,7 +72,7 @@ class JobObserver : public mpm::Observer {
   const AttemptContext& context_;
   JobFiles& files_;
   const Spending& spent_;
-  double saved_ = thread_cpu_seconds();  // when
+  double saved_ = mpm::thread_cpu_seconds();  // when
   Clock::time_point start_ = Clock::now(), told_{};
   mpm::Progress at_{};
   bool late_ = false;

@@ -130,19 +130,17 @@ std::string Evidence::largest_interval(const std::string& study) const {
   return share ? fmt::format("; intervals of at most {:.1f} %", 100 * *share) : "";
 }
 
-std::vector<mpm::Snapshot> Evidence::snapshots(const std::string& study) const {
-  std::vector<mpm::Snapshot> snapshots;
+void Evidence::each_snapshot(const std::string& study,
+                             const std::function<void(const mpm::Snapshot&)>& visit) const {
   const Rows rows = ask(study,
                         "SELECT path FROM snapshots WHERE key = (SELECT key FROM jobs WHERE study = ?1 AND "
                         "status = 'done' ORDER BY position LIMIT 1) ORDER BY time_s");
-  for (const auto& row : rows.rows)
-    snapshots.push_back(mpm::read_vtkhdf(results_ / std::get<std::string>(row[0])));
-  return snapshots;
+  for (const auto& row : rows.rows) visit(mpm::read_vtkhdf(results_ / std::get<std::string>(row[0])));
 }
 
 std::vector<HotSpot> Evidence::hot_spots(const std::string& study) const {
   std::vector<HotSpot> spots;
-  std::ranges::transform(snapshots(study), std::back_inserter(spots), hot_spot_of);
+  each_snapshot(study, [&](const mpm::Snapshot& s) { spots.push_back(hot_spot_of(s)); });
   return spots;
 }
 
@@ -150,8 +148,7 @@ std::vector<Cavities> Evidence::cavities(const std::string& study) const {
   const auto cell = number(
       study, "SELECT cell_size_m FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY position LIMIT 1");
   std::vector<Cavities> cavities;
-  if (cell)
-    for (const mpm::Snapshot& s : snapshots(study)) cavities.push_back(cavities_of(s, *cell));
+  if (cell) each_snapshot(study, [&](const mpm::Snapshot& s) { cavities.push_back(cavities_of(s, *cell)); });
   return cavities;
 }
 

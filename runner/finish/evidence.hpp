@@ -1,6 +1,7 @@
 #pragma once
 /// What claims ask of a catalog: numbers of the done jobs of one study.
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,7 +52,8 @@ class Evidence {
   std::vector<Cavities> cavities(const std::string& study) const;
 
  private:
-  std::vector<mpm::Snapshot> snapshots(const std::string& study) const;
+  /// One at a time: together they may be larger than memory.
+  void each_snapshot(const std::string& study, const std::function<void(const mpm::Snapshot&)>& visit) const;
   Rows ask(const std::string& study, const std::string& sql) const;
   std::filesystem::path results_;
 };

@@ -107,7 +107,9 @@ TEST_F(Scale, a_hundred_thousand_jobs) {
   const Plan large = plan("large", 250, 400);
   const double plan_s = planning.seconds(), plan_MB = largest_megabytes();
   ASSERT_EQ(large.jobs.size(), 100'000u);
-  if (!sanitized) EXPECT_LT(plan_MB, 300);
+  if (!sanitized) {
+    EXPECT_LT(plan_MB, 300);
+  }
 
   const Simulate nothing = [](const mpm::Scene&, mpm::Observer&) { return mpm::RunResult{}; };
   const Stopwatch running;

@@ -8,7 +8,7 @@
 #include <exception>
 #include <thread>
 
-#include "runner/exec/thread_clock.hpp"
+#include "libmpm/core/thread_clock.hpp"
 #include "tests/stability/case.hpp"
 
 namespace {
@@ -17,7 +17,7 @@ using stability::Case;
 using stability::Outcome;
 
 Outcome run_timed(const Case& c) {
-  const double start = mpmstudy::thread_cpu_seconds();
+  const double start = mpm::thread_cpu_seconds();
   Outcome o;
   try {
     o = c.run();
@@ -25,7 +25,7 @@ Outcome run_timed(const Case& c) {
     o.verdict = "threw";
     o.note = error.what();
   }
-  o.cpu_s = mpmstudy::thread_cpu_seconds() - start;
+  o.cpu_s = mpm::thread_cpu_seconds() - start;
   return o;
 }
 

@@ -29,6 +29,7 @@ mpm::Scene draw(Dice& d) {
   s.kind = static_cast<mpm::SceneKind>(d.one_of(mpm::scene_kind_names().size()));
   s.material = mpm::named_material("aluminium");
   s.numerics = mpm::default_numerics(s.kind);
+  // not those that came later: one more draw would make other scenes of all seeds
   for (const mpm::Choice& c : mpm::choices())
     if (c.belongs_to(s.kind) && c.implied.empty()) c.set(s, d.one_of(c.allowed.size()));
   const double scale = d.log_between(1e-9, 1e3);

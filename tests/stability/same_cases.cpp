@@ -1,10 +1,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "runner/bench/exact/scenes.hpp"
 #include "tests/stability/bodies.hpp"
 
 namespace stability {
 namespace {
+
+using mpmstudy::scenes::metric;
 
 /// A collapse, all the way.
 mpm::Scene collapse(double speed) {
@@ -12,12 +15,6 @@ mpm::Scene collapse(double speed) {
   s.block_width = 10 * um, s.block_height = 6 * um;
   s.cavity_radius = 1.5 * um, s.cavity_center_height = 3 * um;
   return s;
-}
-
-double metric(const mpm::RunResult& r, const char* name) {
-  for (const mpm::Metric& m : r.metrics)
-    if (m.name == name) return m.value;
-  return std::nan("");
 }
 
 Outcome in_single_precision(double speed, double tolerance) {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "libmpm/core/thread_clock.hpp"
 #include "runner/bench/exact/problems.hpp"
-#include "runner/exec/thread_clock.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -71,9 +71,9 @@ std::vector<const ExactProblem*> wanted(const std::vector<std::string>& names) {
 }
 
 std::vector<ExactRow> rows_of(const ExactProblem& problem, const ExactOptions& options) {
-  const double start = thread_cpu_seconds();
+  const double start = mpm::thread_cpu_seconds();
   ExactNumbers numbers = problem.solve(options);
-  const double cpu_s = thread_cpu_seconds() - start;
+  const double cpu_s = mpm::thread_cpu_seconds() - start;
   std::vector<ExactRow> rows;
   for (ExactNumber& n : numbers) rows.push_back({&problem, std::move(n), cpu_s});
   return rows;

@@ -57,7 +57,7 @@ class NeoHookeanBody {
     for (mpm::Node& n : grid.nodes()) n.own_mass = n.mass;
     mpm::reflect_sides(grid, top + Shape::reach);
     mpm::reflect_floor(grid);
-    if (mirror_at_top) reflect_top(top, Shape::reach);
+    if (mirror_at_top) mpm::reflect_row(grid, top, Shape::reach);
     mpm::update_grid(grid, dt);
     mpm::g2p<Shape>(ps, grid, dt, state_.velocity_gradient, transfer);
     for (std::size_t p = 0; p < ps.size(); ++p) update_stress(p, dt);
@@ -107,24 +107,6 @@ class NeoHookeanBody {
     // The whole stress; the pressure stays 0.
     state_.particles.deviator[p] = {mean + k * f.row(0).squaredNorm(), mean + k * f.row(1).squaredNorm(), 0,
                                     k * f.row(0).dot(f.row(1))};
-  }
-
-  void reflect_top(int row, int reach) {
-    const int ghosts = mpm::Grid::ghosts;
-    mpm::Grid& grid = state_.grid;
-    const auto image = [](const mpm::Vec2& v) { return mpm::Vec2(v.x(), -v.y()); };
-    for (int i = -ghosts; i <= grid.columns() + ghosts; ++i) {
-      for (int k = 1; k <= reach; ++k) {
-        mpm::Node &inside = grid.at(i, row - k), &outside = grid.at(i, row + k);
-        inside.mass += outside.mass;
-        inside.velocity += image(outside.velocity);
-        inside.acceleration += image(outside.acceleration);
-        outside.mass = inside.mass;
-        outside.velocity = image(inside.velocity);
-        outside.acceleration = image(inside.acceleration);
-      }
-      grid.at(i, row).velocity.y() = grid.at(i, row).acceleration.y() = 0;
-    }
   }
 
   mpm::exact::NeoHookean solid_;

@@ -56,11 +56,12 @@ inline mpm::Scene shell(double inner_speed, double cell_size) {
   return s;
 }
 
-/// Value of a metric; NaN if the run has none of that name.
-inline double metric(const mpm::RunResult& r, std::string_view name) {
+/// Value of a metric; `otherwise` if the run has none of that name.
+inline double metric(const mpm::RunResult& r, std::string_view name,
+                     double otherwise = std::numeric_limits<double>::quiet_NaN()) {
   for (const mpm::Metric& m : r.metrics)
     if (m.name == name) return m.value;
-  return std::numeric_limits<double>::quiet_NaN();
+  return otherwise;
 }
 
 /// The material as exact solutions take it. Its hardening is isotropic there.

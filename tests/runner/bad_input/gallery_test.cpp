@@ -11,6 +11,8 @@
 #include <map>
 #include <sstream>
 
+#include "tests/temporary_folder.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,27 +28,14 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
-/// An empty folder, gone when it leaves its scope.
-class Folder {
+class Folder : public TemporaryFolder {
  public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "bad-input-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const fs::path& path() const { return path_; }
   std::map<std::string, std::string> contents() const {
     std::map<std::string, std::string> files;
-    for (const auto& file : fs::recursive_directory_iterator(path_))
+    for (const auto& file : fs::recursive_directory_iterator(path()))
       files[file.path().string()] = file.is_regular_file() ? text_of(file.path()) : "";
     return files;
   }
-
- private:
-  fs::path path_;
 };
 
 struct Outcome {

@@ -21,22 +21,9 @@ namespace fs = std::filesystem;
 
 constexpr double often = 0.01;  ///< processor time between checkpoints: a few dozen over a job [s]
 
-constexpr const char* text = R"(schema = 1
-name = "long"
-scene = "cavity-impact"
-[parameters]
-material = "aluminium"
-impact_speed = "200 m/s"
-block_width = "10 um"
-block_height = "6 um"
-cavity_center_height = "3 um"
-cavity_radius = ["1.5 um", "2 um"]
-end_time = "4 ns"
-[numerics]
-cell_size = "0.25 um"
-[measure]
-snapshots = ["0.2 ns", "3 ns"]
-)";
+const std::string text =
+    study_text({{"cavity_radius", "[\"1.5 um\", \"2 um\"]"}, {"end_time", "\"4 ns\""}},
+               "[numerics]\ncell_size = \"0.25 um\"\n[measure]\nsnapshots = [\"0.2 ns\", \"3 ns\"]\n");
 
 /// Counts the steps that are taken, and does something after one of them.
 class Counter {
@@ -86,6 +73,22 @@ class LongJobs : public testing::Test {
     EXPECT_EQ(run(calm, counter, 0).executed.done, 2);
     return counter.steps;
   }
+  /// Asked to stop after a quarter of all steps.
+  RunReport interrupted(std::int64_t all, double checkpoint_s = often) {
+    Counter counter;
+    counter.at = all / 4;
+    counter.after = [&] { flag.ask(SIGTERM); };
+    RunReport report = run(results, counter, checkpoint_s);
+    flag.clear();
+    return report;
+  }
+  /// Begins all steps anew, and ends as if nothing had been.
+  void expect_begun_anew(std::int64_t all) {
+    Counter counter;
+    EXPECT_EQ(run(results, counter, often).left(), 0);
+    EXPECT_EQ(counter.steps, all);
+    expect_same_end(results);
+  }
   void expect_same_end(const fs::path& results) {
     EXPECT_EQ(rows_of(results), rows_of(calm));
     for (const auto& entry : fs::recursive_directory_iterator(results / "fields"))
@@ -127,12 +130,8 @@ TEST_F(LongJobs, go_on_after_a_kill) {
 
 TEST_F(LongJobs, go_on_after_a_stop) {
   const std::int64_t all = undisturbed();
-  Counter first;
-  first.at = all / 4;
-  first.after = [&] { flag.ask(SIGTERM); };
-  EXPECT_EQ(run(results, first, often).left(), 2);
+  EXPECT_EQ(interrupted(all).left(), 2);
   ASSERT_TRUE(has_checkpoint(results));
-  flag.clear();
   Counter second;
   EXPECT_EQ(run(results, second, often).left(), 0);
   EXPECT_LT(second.steps, all) << "begun anew";
@@ -141,42 +140,25 @@ TEST_F(LongJobs, go_on_after_a_stop) {
 
 TEST_F(LongJobs, begin_anew_when_a_file_of_theirs_is_gone) {
   const std::int64_t all = undisturbed();
-  Counter first;
-  first.at = all / 4;
-  first.after = [&] { flag.ask(SIGTERM); };
-  run(results, first, often);
-  flag.clear();
+  interrupted(all);
   int removed = 0;
   for (const auto& entry : fs::recursive_directory_iterator(results / "fields"))
     if (entry.path().extension() == ".vtkhdf") removed += fs::remove(entry.path());
   ASSERT_EQ(removed, 1);
-  Counter second;
-  EXPECT_EQ(run(results, second, often).left(), 0);
-  EXPECT_EQ(second.steps, all);
-  expect_same_end(results);
+  expect_begun_anew(all);
 }
 
 TEST_F(LongJobs, begin_anew_when_the_checkpoint_is_damaged) {
   const std::int64_t all = undisturbed();
-  Counter first;
-  first.at = all / 4;
-  first.after = [&] { flag.ask(SIGTERM); };
-  run(results, first, often);
-  flag.clear();
+  interrupted(all);
   for (const auto& entry : fs::recursive_directory_iterator(results / "fields"))
     if (entry.path().filename() == "checkpoint.h5") fs::resize_file(entry.path(), 1000);
-  Counter second;
-  EXPECT_EQ(run(results, second, often).left(), 0);
-  EXPECT_EQ(second.steps, all);
-  expect_same_end(results);
+  expect_begun_anew(all);
 }
 
 TEST_F(LongJobs, keep_nothing_when_told_so) {
   const std::int64_t all = undisturbed();
-  Counter first;
-  first.at = all / 4;
-  first.after = [&] { flag.ask(SIGTERM); };
-  run(results, first, 0);
+  interrupted(all, 0);
   EXPECT_FALSE(has_checkpoint(results));
 }
 

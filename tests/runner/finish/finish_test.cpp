@@ -1,6 +1,5 @@
 // A study from file to fit and figure, by the program itself: three coarse jobs of planar impact.
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <fstream>
 
 #include "runner/catalog/query.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
@@ -48,12 +48,7 @@ y     = "pressure"
 
 class Finish : public testing::Test {
  protected:
-  void SetUp() override {
-    std::array<char, 32> name{"/tmp/finish-test-XXXXXX"};
-    folder_ = mkdtemp(name.data());
-    std::ofstream(folder_ / "finish.toml") << study;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { std::ofstream(file()) << study; }
 
   /// Exit code and what it printed.
   int mpmstudy(const std::string& arguments, std::string& printed) const {
@@ -64,10 +59,10 @@ class Finish : public testing::Test {
     while (fgets(buffer.data(), buffer.size(), pipe)) printed += buffer.data();
     return WEXITSTATUS(pclose(pipe));
   }
-  fs::path file() const { return folder_ / "finish.toml"; }
-  fs::path results() const { return folder_ / "results"; }
+  fs::path file() const { return folder_.path() / "finish.toml"; }
+  fs::path results() const { return folder_.path() / "results"; }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Finish, FitsReachTheCatalogAndFiguresTheFolder) {

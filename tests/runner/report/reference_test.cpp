@@ -1,10 +1,8 @@
 // A fresh quick run against the committed tables: of the full reproduction, within the error bars of both,
 // and of the quick one, within what a single run leaves open.
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "runner/catalog/query.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
@@ -46,8 +45,8 @@ std::vector<Row> reference(const std::string& table) {
 }
 
 TEST(Reference, AQuickRunAgreesWithinTheErrorBars) {
-  std::array<char, 40> name{"/tmp/reference-test-XXXXXX"};
-  const fs::path results = mkdtemp(name.data());
+  const TemporaryFolder folder;
+  const fs::path& results = folder.path();
   std::string command = std::string(MPMSTUDY) + " run -q --cells 1.4 --results " + results.string();
   for (const char* study : {"weak-collapse", "collapsibility-radius", "collapsibility-yield"})
     command += std::string(" " SOURCE_DIR "/studies/") + study + ".toml";
@@ -73,7 +72,6 @@ TEST(Reference, AQuickRunAgreesWithinTheErrorBars) {
   };
   compare("collapsibility", "error");
   compare("collapsibility-quick", "measuring_error");
-  fs::remove_all(results);
 }
 
 TEST(Reference, EveryPointOfFig8IsWithinTwoPerCent) {

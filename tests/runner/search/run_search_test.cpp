@@ -67,7 +67,7 @@ class SearchStudy : public testing::Test {
       r.outcome = s.impact_speed > critical_speed(s) || (whole && late) ? "ejected" : "arrested";
       return r;
     };
-    return run_search(study, {1e6, false, audit}, writer, status, simulate, fakes::write_snapshot, flag,
+    return run_search(study, {1e6, false, audit, {}}, writer, status, simulate, fakes::write_snapshot, flag,
                       {results, workers});
   }
   std::string rows(const std::filesystem::path& results) {

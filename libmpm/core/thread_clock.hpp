@@ -1,7 +1,7 @@
 #pragma once
 #include <time.h>
 
-namespace mpmstudy {
+namespace mpm {
 
 /// Time that this thread has spent on a processor [s].
 inline double thread_cpu_seconds() {
@@ -10,4 +10,4 @@ inline double thread_cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-}  // namespace mpmstudy
+}  // namespace mpm
