@@ -259,7 +259,9 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
                                               flags | SQLite::OPEN_URI);
       header = read_header(*db);
     }
-    db->exec("PRAGMA cache_size = -65536");  // [KiB]: questions over all jobs of a large study
+    // Questions over all jobs of a large study: [KiB], and [bytes] that are read in place.
+    db->exec("PRAGMA cache_size = -65536");
+    db->exec("PRAGMA mmap_size = 1073741824");
     check_header(path, header, current_catalog_schema().version());
     if (header.version == 0)
       throw UnfinishedCatalog(path.string() + ": is empty; `mpmstudy run STUDY` fills it");

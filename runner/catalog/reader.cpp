@@ -7,6 +7,8 @@
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/process.hpp"
+#include "runner/catalog/runner_row.hpp"
+#include "runner/catalog/timestamp.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -53,13 +55,16 @@ CatalogState read_all(SQLite::Database& db) {
           .getInt64();
   SQLite::Statement running(
       db,
-      "SELECT j.key, j.study, e.\"by\", j.started_at, j.attempt FROM jobs j JOIN events e "
-      "ON e.key = j.key AND e.to_status = 'running' AND e.attempt = j.attempt "
-      "WHERE j.status = 'running' ORDER BY j.started_at, j.key");
-  while (running.executeStep())
-    state.running.push_back({running.getColumn(0).getString(), running.getColumn(1).getString(),
-                             running.getColumn(2).getString(), running.getColumn(3).getString(),
-                             running.getColumn(4).getInt64()});
+      "SELECT j.key, s.name, j.started_at, j.attempt, " + std::string(runner_columns) +
+          " FROM job j JOIN runner r ON r.id = j.runner_id "
+          "LEFT JOIN study_job m ON m.job_id = j.id AND m.coarse = 0 LEFT JOIN study s ON s.id = m.study_id "
+          "WHERE j.status = 'running' ORDER BY j.started_at, j.key");
+  const auto now = utc_now();
+  while (running.executeStep()) {
+    const auto by = runner_row(running, 4, now);
+    state.running.push_back({running.getColumn(0).getString(), running.getColumn(1).getString(), by.who,
+                             running.getColumn(2).getString(), running.getColumn(3).getInt64(), by.gone});
+  }
   SQLite::Statement failed(
       db, "SELECT key, study, reason FROM jobs WHERE status = 'failed' ORDER BY study, position");
   while (failed.executeStep())

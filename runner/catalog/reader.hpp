@@ -22,6 +22,7 @@ struct RunningJob {
   std::string by;     ///< "host:pid"
   std::string since;  ///< UTC
   std::int64_t attempt = 0;
+  bool gone = false;  ///< its process is no more (of another host: is silent); the next run takes the job up
 };
 
 struct FailedJob {

@@ -1,6 +1,7 @@
 // Registering a study: what it wants against what the catalog has.
 #include <nlohmann/json.hpp>
 
+#include "runner/catalog/runner_row.hpp"
 #include "runner/catalog/store_impl.hpp"
 
 namespace mpmstudy {
@@ -29,17 +30,6 @@ std::int64_t Store::Impl::add_job(const Job& job) {
   return id;
 }
 
-/// r: id, host, boot_id, pid, process_start, heartbeat_at, ended_at of a runner.
-bool Store::Impl::is_gone(SQLite::Statement& r, const std::string& now) {
-  const ProcessId process{r.getColumn(1).getString(), r.getColumn(2).getString(), r.getColumn(3).getInt64(),
-                          r.getColumn(4).getInt64()};
-  if (!r.isColumnNull(6)) return true;
-  if (r.getColumn(0).getInt64() == runner) return false;
-  const auto state = liveness(process);
-  if (state != Liveness::unknown) return state == Liveness::gone;
-  return seconds_between(r.getColumn(5).getString(), now) > options.heartbeat_expires_s;
-}
-
 /// running -> planned. The job may be what its process died of: that is counted.
 void Store::Impl::take_from(std::int64_t job, std::int64_t attempt, const std::string& who) {
   execute(plan_again, job);
@@ -50,14 +40,13 @@ void Store::Impl::take_from(std::int64_t job, std::int64_t attempt, const std::s
 std::set<std::int64_t> Store::Impl::take_up() {
   std::map<std::int64_t, std::string> gone;  // runner -> who
   const auto now = utc_now();
-  SQLite::Statement runners(
-      *db,
-      "SELECT id, host, boot_id, pid, process_start, heartbeat_at, ended_at FROM runner "
-      "WHERE id IN (SELECT runner_id FROM job WHERE status = 'running')");
+  SQLite::Statement runners(*db, "SELECT r.id, " + std::string(runner_columns) +
+                                     " FROM runner r WHERE r.id <> ? AND "
+                                     "r.id IN (SELECT runner_id FROM job WHERE status = 'running')");
+  runners.bind(1, runner);
   while (runners.executeStep())
-    if (is_gone(runners, now))
-      gone[runners.getColumn(0).getInt64()] =
-          runners.getColumn(1).getString() + ":" + runners.getColumn(3).getString();
+    if (const auto other = runner_row(runners, 1, now, options.heartbeat_expires_s); other.gone)
+      gone[runners.getColumn(0).getInt64()] = other.who;
   std::set<std::int64_t> taken;
   for (const auto& [id, who] : gone) {
     std::vector<std::pair<std::int64_t, std::int64_t>> jobs;  // id, attempt
@@ -74,12 +63,12 @@ std::set<std::int64_t> Store::Impl::take_up() {
 
 bool Store::Impl::take_up(const Row& row) {
   if (row.runner == runner) return false;
-  SQLite::Statement other(
-      *db, "SELECT id, host, boot_id, pid, process_start, heartbeat_at, ended_at FROM runner WHERE id = ?");
-  other.bind(1, row.runner);
-  if (!other.executeStep() || !is_gone(other, utc_now())) return false;
-  take_from(row.id, row.attempt, other.getColumn(1).getString() + ":" + other.getColumn(3).getString());
-  return true;
+  SQLite::Statement found(*db, "SELECT " + std::string(runner_columns) + " FROM runner r WHERE r.id = ?");
+  found.bind(1, row.runner);
+  if (!found.executeStep()) return false;
+  const auto other = runner_row(found, 0, utc_now(), options.heartbeat_expires_s);
+  if (other.gone) take_from(row.id, row.attempt, other.who);
+  return other.gone;
 }
 
 void Store::Impl::cancel_unwanted() {

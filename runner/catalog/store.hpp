@@ -8,13 +8,14 @@
 
 #include "runner/catalog/process.hpp"
 #include "runner/catalog/records.hpp"
+#include "runner/catalog/runner_row.hpp"
 #include "runner/plan/plan.hpp"
 
 namespace mpmstudy {
 
 struct StoreOptions {
   std::string git_revision;         ///< of the program that writes
-  double heartbeat_expires_s = 60;  ///< a runner of another host that is silent for longer is gone [s]
+  double heartbeat_expires_s = default_heartbeat_expires_s;
   ProcessId process = this_process();
 };
 

@@ -147,7 +147,6 @@ struct Store::Impl {
                     const std::string& host, const std::string& git_revision);
 
  private:
-  bool is_gone(SQLite::Statement& runner, const std::string& now);
   void take_from(std::int64_t job, std::int64_t attempt, const std::string& who);
 };
 

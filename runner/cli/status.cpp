@@ -57,7 +57,8 @@ Json to_json(const CatalogState& state, const std::vector<Submission>& submissio
                                {"study", study_or_null(job.study)},
                                {"by", job.by},
                                {"since", job.since},
-                               {"attempt", job.attempt}});
+                               {"attempt", job.attempt},
+                               {"gone", job.gone}});
   for (const auto& job : state.failed)
     json["failed"].push_back({{"key", job.key}, {"study", study_or_null(job.study)}, {"reason", job.reason}});
   return json;
@@ -101,8 +102,9 @@ void print_text(const CatalogState& state, const std::vector<Submission>& submis
                counted(state.stale, "job"));
   if (!state.running.empty()) fmt::print("\nrunning\n");
   for (const auto& job : state.running)
-    fmt::print("  {}  {}  by {} since {}, attempt {}\n", short_key(job.key), name_of(job.study), job.by,
-               job.since, job.attempt);
+    fmt::print("  {}  {}  by {} since {}, attempt {}{}\n", short_key(job.key), name_of(job.study), job.by,
+               job.since, job.attempt,
+               job.gone ? ": that process has gone; `mpmstudy run` takes the job up" : "");
   if (!state.failed.empty()) fmt::print("\nfailed\n");
   for (const auto& job : state.failed)
     fmt::print("  {}  {}  {}\n", short_key(job.key), name_of(job.study), job.reason);

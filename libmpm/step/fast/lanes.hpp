@@ -26,7 +26,7 @@ struct Lanes;
 template <>
 struct Lanes<double> {
   typedef double Pack __attribute__((vector_size(32)));
-  typedef std::int64_t Mask __attribute__((vector_size(32)));
+  using Mask = decltype(Pack{} < Pack{});  // whole numbers of the same size
   static constexpr int width = 4;
   static constexpr Pack numbers = {0, 1, 2, 3};
   static constexpr double round_to_whole = 0x1.8p52;  ///< a + this - this is a whole number
@@ -35,7 +35,7 @@ struct Lanes<double> {
 template <>
 struct Lanes<float> {
   typedef float Pack __attribute__((vector_size(32)));
-  typedef std::int32_t Mask __attribute__((vector_size(32)));
+  using Mask = decltype(Pack{} < Pack{});
   static constexpr int width = 8;
   static constexpr Pack numbers = {0, 1, 2, 3, 4, 5, 6, 7};
   static constexpr float round_to_whole = 0x1.8p23F;

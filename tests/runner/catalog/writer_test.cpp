@@ -354,7 +354,20 @@ TEST_F(Writer, state_names_who_runs_what) {
   ASSERT_EQ(state.running.size(), 1u);
   EXPECT_EQ(state.running[0].key, jobs[1].key);
   EXPECT_THAT(state.running[0].by, testing::EndsWith(":" + std::to_string(getpid())));
+  EXPECT_FALSE(state.running[0].gone);
   EXPECT_THROW(read_state(folder.path(), {"other"}), CatalogError);
+}
+
+TEST_F(Writer, state_says_whose_process_has_gone) {
+  WriterOptions killed;
+  killed.store.process.process_start -= 1;  // whoever has that number now started later
+  CatalogWriter writer(folder.path(), killed);
+  const auto jobs = fakes::plan(1).jobs;
+  writer.register_study("s", "S", jobs, false);
+  writer.claim(jobs[0].key);
+  const auto state = read_state(folder.path());
+  ASSERT_EQ(state.running.size(), 1u);
+  EXPECT_TRUE(state.running[0].gone);
 }
 
 TEST_F(Writer, a_large_study_that_is_done_starts_at_once) {
