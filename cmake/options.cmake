@@ -5,7 +5,8 @@ target_compile_options(mpm_options INTERFACE -Wall -Wextra)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(mpm_options INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
 endif()
-# What calls others and waits for them (verbs, tests): -O2 and above only make the build longer, by half.
+# What waits for others (tests, verbs, the study engine, fits and figures): higher levels only make the build longer, a
+# clean one of 550 CPU-seconds by 450. Not for loops over particles.
 add_library(mpm_glue_options INTERFACE)
 target_link_libraries(mpm_glue_options INTERFACE mpm_options)
 target_compile_options(mpm_glue_options INTERFACE $<$<CONFIG:Release,RelWithDebInfo>:-Og>)

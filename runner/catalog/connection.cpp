@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sqlite3.h>
+#include <sys/vfs.h>
 
 #include <algorithm>
 #include <chrono>
@@ -159,6 +160,14 @@ void check_is_file(const fs::path& path) {
         ": cannot be opened (it is not a file); move it away or choose another folder with --results");
 }
 
+/// Whether no other machine can change the file: of a file system that is known not to be shared.
+bool is_on_local_disk(const fs::path& path) {
+  constexpr long local[] = {0xEF53, 0x58465342, 0x9123683E, 0x01021994, 0x794C7630, 0x2FC12FC1};
+  // ext4, xfs, btrfs, tmpfs, overlay, zfs: magic numbers of statfs(2)
+  struct statfs about {};
+  return statfs(path.c_str(), &about) == 0 && std::ranges::find(local, long(about.f_type)) != std::end(local);
+}
+
 std::string uri_path(const fs::path& path) {
   std::string text;
   for (const char c : fs::absolute(path).string())
@@ -259,9 +268,10 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
                                               flags | SQLite::OPEN_URI);
       header = read_header(*db);
     }
-    // Questions over all jobs of a large study: [KiB], and [bytes] that are read in place.
-    db->exec("PRAGMA cache_size = -65536");
-    db->exec("PRAGMA mmap_size = 1073741824");
+    db->exec("PRAGMA cache_size = -65536");  // [KiB]: questions over all jobs of a large study
+    // Read in place they take a quarter to a third less time. A file that another machine cuts short while it
+    // is read so ends the reader by a signal: not on a share.
+    if (is_on_local_disk(path)) db->exec("PRAGMA mmap_size = 1073741824");  // [bytes]
     check_header(path, header, current_catalog_schema().version());
     if (header.version == 0)
       throw UnfinishedCatalog(path.string() + ": is empty; `mpmstudy run STUDY` fills it");

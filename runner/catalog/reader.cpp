@@ -45,6 +45,10 @@ StudyState read_no_study(SQLite::Database& db) {
   return none;
 }
 
+/// The studies of `job j`, coarser cells included.
+constexpr std::string_view of_studies =
+    "LEFT JOIN study_job m ON m.job_id = j.id LEFT JOIN study s ON s.id = m.study_id ";
+
 CatalogState read_all(SQLite::Database& db) {
   CatalogState state;
   SQLite::Transaction one_moment(db);
@@ -53,20 +57,18 @@ CatalogState read_all(SQLite::Database& db) {
   state.stale =
       db.execAndGet("SELECT count(*) FROM job WHERE physics_version < (SELECT version FROM physics)")
           .getInt64();
-  SQLite::Statement running(
-      db,
-      "SELECT j.key, s.name, j.started_at, j.attempt, " + std::string(runner_columns) +
-          " FROM job j JOIN runner r ON r.id = j.runner_id "
-          "LEFT JOIN study_job m ON m.job_id = j.id AND m.coarse = 0 LEFT JOIN study s ON s.id = m.study_id "
-          "WHERE j.status = 'running' ORDER BY j.started_at, j.key");
   const auto now = utc_now();
+  SQLite::Statement running(db,
+                            "SELECT j.key, s.name, j.started_at, j.attempt, " + std::string(runner_columns) +
+                                " FROM job j JOIN runner r ON r.id = j.runner_id " + std::string(of_studies) +
+                                "WHERE j.status = 'running' ORDER BY j.started_at, j.key, s.name");
   while (running.executeStep()) {
     const auto by = runner_row(running, 4, now);
     state.running.push_back({running.getColumn(0).getString(), running.getColumn(1).getString(), by.who,
                              running.getColumn(2).getString(), running.getColumn(3).getInt64(), by.gone});
   }
-  SQLite::Statement failed(
-      db, "SELECT key, study, reason FROM jobs WHERE status = 'failed' ORDER BY study, position");
+  SQLite::Statement failed(db, "SELECT j.key, s.name, j.reason FROM job j " + std::string(of_studies) +
+                                   "WHERE j.status = 'failed' ORDER BY s.name, m.position, j.key");
   while (failed.executeStep())
     state.failed.push_back(
         {failed.getColumn(0).getString(), failed.getColumn(1).getString(), failed.getColumn(2).getString()});
@@ -80,6 +82,9 @@ CatalogState read_state(const std::filesystem::path& results, const std::vector<
   CatalogState state;
   try {
     state = read_all(*db);
+    const auto is_gone = [](const RunningJob& job) { return !job.gone.empty(); };
+    // A process that decides its last job and ends between the reading and the look at it has not gone.
+    if (std::ranges::any_of(state.running, is_gone)) state = read_all(*db);
   } catch (const SQLite::Exception& error) {
     throw CatalogError(catalog_path(results).string() + ": cannot be read (" + error.what() + ")");
   }

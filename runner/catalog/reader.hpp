@@ -22,7 +22,7 @@ struct RunningJob {
   std::string by;     ///< "host:pid"
   std::string since;  ///< UTC
   std::int64_t attempt = 0;
-  bool gone = false;  ///< its process is no more (of another host: is silent); the next run takes the job up
+  std::string gone;  ///< why nobody runs it any longer; a run of its study takes it up. "": it is being run
 };
 
 struct FailedJob {

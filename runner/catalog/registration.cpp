@@ -45,7 +45,7 @@ std::set<std::int64_t> Store::Impl::take_up() {
                                      "r.id IN (SELECT runner_id FROM job WHERE status = 'running')");
   runners.bind(1, runner);
   while (runners.executeStep())
-    if (const auto other = runner_row(runners, 1, now, options.heartbeat_expires_s); other.gone)
+    if (const auto other = runner_row(runners, 1, now, options.heartbeat_expires_s); !other.gone.empty())
       gone[runners.getColumn(0).getInt64()] = other.who;
   std::set<std::int64_t> taken;
   for (const auto& [id, who] : gone) {
@@ -67,8 +67,9 @@ bool Store::Impl::take_up(const Row& row) {
   found.bind(1, row.runner);
   if (!found.executeStep()) return false;
   const auto other = runner_row(found, 0, utc_now(), options.heartbeat_expires_s);
-  if (other.gone) take_from(row.id, row.attempt, other.who);
-  return other.gone;
+  if (other.gone.empty()) return false;
+  take_from(row.id, row.attempt, other.who);
+  return true;
 }
 
 void Store::Impl::cancel_unwanted() {

@@ -1,5 +1,5 @@
 #pragma once
-/// A row of `runner`: who it is, and whether its process has gone.
+/// A row of `runner`: who it is, and whether it still runs what it claimed.
 #include <string>
 #include <string_view>
 
@@ -9,7 +9,7 @@ class Statement;
 
 namespace mpmstudy {
 
-/// What RunnerRow reads, of `runner r`.
+/// What runner_row() reads, of `runner r`.
 inline constexpr std::string_view runner_columns =
     "r.host, r.boot_id, r.pid, r.process_start, r.heartbeat_at, r.ended_at";
 
@@ -17,8 +17,8 @@ inline constexpr std::string_view runner_columns =
 inline constexpr double default_heartbeat_expires_s = 60;
 
 struct RunnerRow {
-  std::string who;  ///< "host:pid"
-  bool gone = false;
+  std::string who;   ///< "host:pid"
+  std::string gone;  ///< why nobody waits for it any longer; "" while it lives
 };
 
 /// From the columns `first` and following. now: UTC.

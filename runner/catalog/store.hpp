@@ -14,7 +14,8 @@
 namespace mpmstudy {
 
 struct StoreOptions {
-  std::string git_revision;         ///< of the program that writes
+  std::string git_revision;  ///< of the program that writes
+  /// A runner of another host that is silent for longer is gone [s].
   double heartbeat_expires_s = default_heartbeat_expires_s;
   ProcessId process = this_process();
 };

@@ -162,7 +162,8 @@ std::string verdict(const StoredJob& job) {
                          job.failure_kind.empty() ? "error" : job.failure_kind, job.steps, job.reason,
                          short_key(job.job.key));
     case JobStatus::running:
-      return "running; if its process is gone, the next run takes it up";
+      return "running (`mpmstudy status` says by whom); if that process has gone, a run of its study takes "
+             "it up";
     case JobStatus::cancelled:
       return "cancelled: no study has it; it runs when one has it again";
     case JobStatus::planned:

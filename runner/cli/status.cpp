@@ -58,7 +58,7 @@ Json to_json(const CatalogState& state, const std::vector<Submission>& submissio
                                {"by", job.by},
                                {"since", job.since},
                                {"attempt", job.attempt},
-                               {"gone", job.gone}});
+                               {"gone", job.gone.empty() ? Json(nullptr) : Json(job.gone)}});
   for (const auto& job : state.failed)
     json["failed"].push_back({{"key", job.key}, {"study", study_or_null(job.study)}, {"reason", job.reason}});
   return json;
@@ -83,6 +83,11 @@ void print_queue(const std::vector<Submission>& submissions) {
         s.merge_queued ? "waits for them" : "is not in the queue: `mpmstudy run` submits what is left");
 }
 
+std::string abandoned(const RunningJob& job) {
+  if (job.gone.empty()) return "";
+  return ": " + job.gone + (job.study.empty() ? "" : "; `mpmstudy run` of its study takes the job up");
+}
+
 void print_text(const CatalogState& state, const std::vector<Submission>& submissions) {
   auto rows = state.studies;
   if (!state.no_study.jobs.empty()) rows.push_back(state.no_study);
@@ -103,8 +108,7 @@ void print_text(const CatalogState& state, const std::vector<Submission>& submis
   if (!state.running.empty()) fmt::print("\nrunning\n");
   for (const auto& job : state.running)
     fmt::print("  {}  {}  by {} since {}, attempt {}{}\n", short_key(job.key), name_of(job.study), job.by,
-               job.since, job.attempt,
-               job.gone ? ": that process has gone; `mpmstudy run` takes the job up" : "");
+               job.since, job.attempt, abandoned(job));
   if (!state.failed.empty()) fmt::print("\nfailed\n");
   for (const auto& job : state.failed)
     fmt::print("  {}  {}  {}\n", short_key(job.key), name_of(job.study), job.reason);

@@ -26,7 +26,7 @@ struct Lanes;
 template <>
 struct Lanes<double> {
   typedef double Pack __attribute__((vector_size(32)));
-  using Mask = decltype(Pack{} < Pack{});  // whole numbers of the same size
+  using Mask = decltype(Pack{} < Pack{});  // of whole numbers; compilers differ in which of 64 bits
   static constexpr int width = 4;
   static constexpr Pack numbers = {0, 1, 2, 3};
   static constexpr double round_to_whole = 0x1.8p52;  ///< a + this - this is a whole number
