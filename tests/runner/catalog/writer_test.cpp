@@ -1,5 +1,4 @@
 // The writer: whole rows, exact bits, states that tell the truth, readers beside it.
-#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -342,62 +341,6 @@ TEST_F(Writer, fits_and_brackets_replace_those_before) {
   EXPECT_EQ(one("SELECT upper_m_s FROM critical_speed"), SqlValue(205.0));
   EXPECT_THROW(writer.replace_fits("unknown", {}), CatalogError);
   writer.flush();  // an answer that was an error does not break the writer
-}
-
-TEST_F(Writer, state_names_who_runs_what) {
-  CatalogWriter writer(folder.path());
-  const auto jobs = fakes::plan(3).jobs;
-  writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[1].key);
-  const auto state = read_state(folder.path(), {"s"});
-  ASSERT_EQ(state.studies.size(), 1u);
-  EXPECT_EQ(state.studies[0].jobs.at(JobStatus::planned), 2);
-  ASSERT_EQ(state.running.size(), 1u);
-  EXPECT_EQ(state.running[0].key, jobs[1].key);
-  EXPECT_THAT(state.running[0].by, testing::EndsWith(":" + std::to_string(getpid())));
-  EXPECT_EQ(state.running[0].gone, "");
-  EXPECT_THROW(read_state(folder.path(), {"other"}), CatalogError);
-}
-
-TEST_F(Writer, state_says_whose_process_has_gone) {
-  WriterOptions killed;
-  killed.store.process.process_start -= 1;  // whoever has that number now started later
-  CatalogWriter writer(folder.path(), killed);
-  const auto jobs = fakes::plan(1).jobs;
-  writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
-  const auto state = read_state(folder.path());
-  ASSERT_EQ(state.running.size(), 1u);
-  EXPECT_EQ(state.running[0].gone, "its process has gone");
-}
-
-TEST_F(Writer, state_says_whose_host_is_silent) {
-  WriterOptions far;
-  far.store.process.host = "another-host";
-  CatalogWriter writer(folder.path(), far);
-  const auto jobs = fakes::plan(1).jobs;
-  writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
-  EXPECT_EQ(read_state(folder.path()).running.at(0).gone, "");
-  const auto set = [&](const std::string& what) {
-    SQLite::Database((folder.path() / "catalog.db").string(), SQLite::OPEN_READWRITE)
-        .exec("UPDATE runner SET " + what);
-  };
-  set("heartbeat_at = '2000-01-01T00:00:00.000Z'");
-  EXPECT_EQ(read_state(folder.path()).running.at(0).gone, "its host has been silent for too long");
-  set("ended_at = heartbeat_at");
-  EXPECT_EQ(read_state(folder.path()).running.at(0).gone, "its process has ended");
-}
-
-TEST_F(Writer, state_names_the_study_of_coarser_cells) {
-  CatalogWriter writer(folder.path());
-  auto jobs = fakes::plan(2).jobs;
-  jobs[0].rung_of = 1;
-  writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
-  const auto state = read_state(folder.path(), {"s"});
-  ASSERT_EQ(state.running.size(), 1u);
-  EXPECT_EQ(state.running[0].study, "s");
 }
 
 TEST_F(Writer, a_large_study_that_is_done_starts_at_once) {

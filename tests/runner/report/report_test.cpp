@@ -2,17 +2,18 @@
 // numbers are those of the catalog; it loads nothing.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <stdlib.h>
 
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <random>
 #include <regex>
 #include <sstream>
 
 #include "runner/catalog/query.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace {
 
@@ -66,8 +67,8 @@ std::string text_of(const fs::path& path) {
 class Report : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    std::array<char, 32> name{"/tmp/report-test-XXXXXX"};
-    folder = mkdtemp(name.data());
+    own.emplace();
+    folder = own->path();
     std::ofstream(folder / "page.toml") << study;
     const std::string options =
         (folder / "page.toml").string() + " --results " + (folder / "results").string();
@@ -75,7 +76,7 @@ class Report : public testing::Test {
     output_of(std::string(MPMSTUDY) + " report " + options + " 2>&1");
     page = text_of(folder / "results" / "report.html");
   }
-  static void TearDownTestSuite() { fs::remove_all(folder); }
+  static void TearDownTestSuite() { own.reset(); }
 
   /// The page after `milliseconds` in the browser, and what its console said.
   static std::string browse(int milliseconds, int width, std::string& console) {
@@ -89,6 +90,7 @@ class Report : public testing::Test {
     return dom;
   }
 
+  static inline std::optional<TemporaryFolder> own;
   static inline fs::path folder;
   static inline std::string page;
 };
