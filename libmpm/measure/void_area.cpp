@@ -10,6 +10,9 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double half_full = 0.5;
+/// A region along the wall that is farther than this beside the first circle is the gap under a body that
+/// leaves it.
+constexpr int cells_beside_wall = 2;
 
 /// Area of the part of a unit square where the bilinear corner values (a b / d c, counter-clockwise) are
 /// below 1/2, by straight cuts. In a saddle the two empty corners are joined.
@@ -167,7 +170,10 @@ double VoidArea::update(const State& s) {
   bool any = false;
   for (int i = 0; i <= f.columns; ++i) {
     joined_outside_ |= region[static_cast<std::size_t>(f.rows * stride + i)] != 0;
-    touches_wall_ |= region[static_cast<std::size_t>(i)] != 0;
+    if (!region[static_cast<std::size_t>(i)]) continue;
+    touches_wall_ = true;
+    const double x = s.grid.origin().x() + i * f.cell.x();
+    joined_outside_ |= std::abs(x - center_.x()) > radius_ + cells_beside_wall * f.cell.x();
   }
   double cells = 0;
   for (int j = 0; j < f.rows; ++j)

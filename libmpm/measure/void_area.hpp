@@ -37,8 +37,10 @@ class VoidArea {
   /// Empty regions of four nodes or more that reach neither free surface nor wall; this one is among them if
   /// it does not.
   int closed_regions() const { return closed_regions_; }
-  bool joined_outside() const { return joined_outside_; }  ///< the region reaches the free surface
-  bool touches_wall() const { return touches_wall_; }      ///< ... the impact wall
+  /// The region reaches the free surface, or along the wall the gap under a body that leaves it: two cells
+  /// beyond the first circle.
+  bool joined_outside() const { return joined_outside_; }
+  bool touches_wall() const { return touches_wall_; }  ///< the region reaches the impact wall
   void carry(Archive&);
 
  private:

@@ -57,6 +57,17 @@ TEST(CavityArea, ATangentCavityTouchesTheWall) {
   EXPECT_FALSE(measure.joined_outside());
 }
 
+TEST(CavityArea, ATangentCavityJoinsTheGapUnderABodyThatLeavesTheWall) {
+  mpm::Scene s = scenes::cavity(0.1e-6);
+  s.cavity_center_height = 1.5e-6;
+  mpm::VoidArea measure(mpm::Vec2(0, 1.5e-6), 1.5e-6, false, 4);
+  mpm::State state = mpm::build_state(s);
+  measure.update(state);
+  for (auto& x : state.particles.position) x.y() += 0.15e-6;
+  measure.update(state);
+  EXPECT_TRUE(measure.joined_outside());
+}
+
 // In a uniform flow the contour moves with it and keeps its area.
 TEST(Contour, MovesWithTheGrid) {
   mpm::Grid grid(mpm::Vec2(0, 0), mpm::Vec2(1, 1), 20);
