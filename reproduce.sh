@@ -7,11 +7,11 @@
 cd "$(dirname "$0")"
 . cmake/setup.sh
 
-cells=1.4
+cells=1.4 audit="5 %"
 options=() results=()
 while [ $# -gt 0 ]; do
   case $1 in
-    --full) cells=0.5 ;;
+    --full) cells=0.5 audit="3 %" ;;
     --results) results=(--results "$2"); shift ;;
     *) options+=("$1") ;;
   esac
@@ -25,7 +25,7 @@ files=("${files[@]/%/.toml}")
 install_missing build
 build release -DMPM_TESTS=OFF
 say "running ${#files[@]} studies, cells times $cells"
-build/release/runner/mpmstudy run "${files[@]}" --cells "$cells" --audit "5 %" "${results[@]}" "${options[@]}" || {
+build/release/runner/mpmstudy run "${files[@]}" --cells "$cells" --audit "$audit" "${results[@]}" "${options[@]}" || {
   code=$?
   [ $code -eq 1 ] || exit $code  # 1: some jobs failed; the page shows which
 }

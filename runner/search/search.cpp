@@ -122,7 +122,8 @@ std::optional<Guess> Search::guess(const Entry& entry) const {
 }
 
 /// Starts the searches whose guesses are there. On the coarsest cell both ends of the axis begin without one,
-/// and the points between them wait; a finer cell waits for the next coarser one.
+/// and the points between them wait. A finer cell waits for the next coarser one of all points: a round lasts
+/// as long as its longest run, so runs of one cell share it.
 void Search::start_ready() {
   for (Entry& e : entries_) {
     if (e.search) continue;
@@ -130,7 +131,7 @@ void Search::start_ready() {
     for (const Entry& other : entries_) {
       if (other.point.family != e.point.family) continue;
       const bool open = !other.finished();
-      if (other.point.along == e.point.along && other.point.cell > e.point.cell) {
+      if (other.point.cell > e.point.cell) {
         coarsest = false;
         waits |= open;
       }

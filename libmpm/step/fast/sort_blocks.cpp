@@ -5,10 +5,10 @@
 namespace mpm::fast {
 namespace {
 
-/// A block out of step costs about 1.6 times one in step (PERFORMANCE.md), so that it pays to fill blocks out
-/// of step where fewer lanes than this would be filled in step.
-template <class Real>
-constexpr int least_lanes = sizeof(Real) == sizeof(double) ? 3 : 5;
+/// Blocks of a row of cells are filled in step where so many lanes or more have a particle. A block out of
+/// step costs more, one with empty lanes does less: 3 is best, with four lanes and with eight
+/// (PERFORMANCE.md, "Sorting").
+constexpr int least_lanes = 3;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> Blocks<Real>::order(int rows) {
         return std::count_if(in_cell, in_cell + width, [=](std::uint32_t n) { return n > depth; });
       };
       groups[g] = {slot, 0};
-      while (lanes(groups[g].depth) >= least_lanes<Real>) ++groups[g].depth;
+      while (lanes(groups[g].depth) >= least_lanes) ++groups[g].depth;
       slot += groups[g].depth * width;
       for (int l = 0; l < width; ++l) loose += in_cell[l] - std::min(in_cell[l], groups[g].depth);
     }

@@ -55,6 +55,7 @@ class SearchStudy : public testing::Test {
       {
         std::lock_guard lock(mutex);
         EXPECT_TRUE(simulated.insert(job_key(s)).second) << "run twice";
+        cells.push_back(s.numerics.cell_size);
         if (static_cast<int>(simulated.size()) == stop_at) flag.ask(SIGTERM);
       }
       mpm::RunResult r = fakes::simulate(s, o);
@@ -79,6 +80,7 @@ class SearchStudy : public testing::Test {
   StopFlag flag;
   std::mutex mutex;
   std::set<std::string> simulated;
+  std::vector<double> cells;  ///< of the runs, in the order of their starts
   int stop_at = -1;
   std::function<bool(const mpm::Scene&)> breaks;  ///< which runs fail
   bool late = false;                              ///< runs to the end say "ejected" whatever the speed
@@ -107,6 +109,13 @@ TEST_F(SearchStudy, BracketsHoldTheCriticalSpeedAndNameTheirProofs) {
   for (const auto& row : proofs.rows)
     EXPECT_EQ(row, (std::vector<SqlValue>{"arrested", "ejected", std::int64_t(1), std::int64_t(1),
                                           std::int64_t(1)}));
+}
+
+// A round lasts as long as its longest run: runs of one cell share it.
+TEST_F(SearchStudy, AFinerCellWaitsForTheCoarserOneOfAllPoints) {
+  search(folder.path(), 1);
+  EXPECT_TRUE(std::ranges::is_sorted(cells, std::greater<>()));
+  EXPECT_EQ(std::set<double>(cells.begin(), cells.end()).size(), 3u);
 }
 
 TEST_F(SearchStudy, ExtrapolatesToCellsOfSizeZero) {
