@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
-# Takes tables and figures of a full reproduction into this folder: ./reproduce.sh --full && results/reference/take.sh
+# Takes tables and figures of a full reproduction into this folder, and Fig. 8 of a quick one:
+#   ./reproduce.sh --full && ./reproduce.sh --results QUICK && results/reference/take.sh results QUICK
 set -e
 cd "$(dirname "$0")/../.."
-results=${1:-results}
+results=${1:-results} quick=$2
 into=results/reference
 ask() { build/release/runner/mpmstudy query --results "$results" --format csv "$2" > "$into/$1.csv"; }
+collapsibility="SELECT a.study, j.position, j.cell_size_m, j.cavity_radius_m, j.yield_stress_Pa, a.value, a.error,
+  a.extrapolated_value, a.extrapolated_error, a.measuring_error, a.observed_order, a.method FROM accuracy a JOIN jobs j ON j.key = a.key AND
+  j.study = a.study WHERE a.quantity = 'collapsibility' ORDER BY a.study, j.position"
 
 ask provenance "SELECT './reproduce.sh --full' AS command, git_revision, physics_version, count(DISTINCT key) AS jobs,
   sum(cpu_s) AS cpu_s FROM jobs WHERE status = 'done' GROUP BY git_revision, physics_version"
 ask claims "SELECT name, study, verdict, measured FROM claims"
-ask collapsibility "SELECT a.study, j.position, j.cell_size_m, j.cavity_radius_m, j.yield_stress_Pa, a.value, a.error,
-  a.extrapolated_value, a.extrapolated_error, a.measuring_error, a.observed_order, a.method FROM accuracy a JOIN jobs j ON j.key = a.key AND
-  j.study = a.study WHERE a.quantity = 'collapsibility' ORDER BY a.study, j.position"
+ask collapsibility "$collapsibility"
 ask one-cell "SELECT study, position, cell_size_m, block_height_m, cavity_center_height_m, collapsibility, collapsibility_error
   FROM jobs WHERE study IN ('symmetry', 'block-height') AND status = 'done' ORDER BY study, position"
 ask critical-speed "SELECT c.study, j.spall_strength_Pa, c.wall_thickness_m, c.cell_size_m, c.lower_m_s, c.upper_m_s,
@@ -31,3 +33,7 @@ for figure in fig1-grey fig2 fig2-grey fig3-grey fig4 fig4-spall fig5 fig5-grey 
   fig7-aspect fig8a fig8b fig8c fig8d block-height; do
   cp "$results/figures/$figure.png" "$into/"
 done
+if [ -n "$quick" ]; then
+  results=$quick
+  ask collapsibility-quick "$collapsibility"
+fi
