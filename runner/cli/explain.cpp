@@ -245,8 +245,8 @@ int run_explain(const ExplainOptions& options) {
   }
   fmt::print("of {}\n{}\n", studies_of(options.results, it.key), verdict(*job));
   if (job->crashes > 0)
-    fmt::print("its process has ended {} times while it ran, so it runs in a process of its own\n",
-               job->crashes);
+    fmt::print("its process ended while it ran, {}, so it runs in a process of its own\n",
+               job->crashes == 1 ? "once" : fmt::format("{} times", job->crashes));
   if (wanted) print_own(*wanted);
   print_news(all, it.scene, job->order, wanted);
   print_history(options.results, it.key);

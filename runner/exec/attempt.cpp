@@ -109,7 +109,8 @@ void simulate(const Job& job, const AttemptContext& context, JobFiles& files, co
     throw;
   } catch (const std::bad_alloc&) {
     fail(finished, FailureKind::memory,
-         context.limits.memory > 0 ? fmt::format("needs more than {} bytes of memory", context.limits.memory)
+         context.limits.memory > 0 ? fmt::format("needs more than {:g} MB of memory",
+                                                 1e-6 * static_cast<double>(context.limits.memory))
                                    : "out of memory",
          observer.at());
   } catch (const std::exception& error) {

@@ -133,7 +133,8 @@ class Executor {
       if (attempt.end == crashed) {
         if (stopping()) return let_go(job, "");
         const auto crashes = ledger_.crashed(job.key);
-        attempt.job.reason = fmt::format("{}; it has crashed {} times", attempt.why, crashes);
+        attempt.job.reason = fmt::format("{}; crashes so far: {}, with {} the job is failed", attempt.why,
+                                         crashes, options_.most_crashes);
         if (crashes < options_.most_crashes) {
           if (!again(job, attempt.job.reason)) return;
           continue;

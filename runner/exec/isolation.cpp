@@ -264,7 +264,7 @@ Attempt JobServer::attempt(const Job& job, const AttemptContext& context) {
   const auto start = Clock::now();
   const double limit = context.limits.seconds;
   bool given_up = false, late = false;
-  std::string crash = "no answer";
+  std::string crash = "the end of the one that started it";
   Kind kind{};
   std::string payload;
   while (answer.read(std::chrono::milliseconds(50))) {

@@ -235,7 +235,7 @@ TEST_F(ExecutorTest, a_job_that_needs_too_much_memory_is_failed_and_the_rest_goe
   const auto report = run(fakes::plan(3).jobs, simulate, 2);
   EXPECT_EQ(report.done, 2);
   EXPECT_EQ(ledger.finished.at(fakes::key(2)).failure, FailureKind::memory);
-  EXPECT_THAT(ledger.finished.at(fakes::key(2)).reason, testing::HasSubstr("more than 67108864 bytes"));
+  EXPECT_THAT(ledger.finished.at(fakes::key(2)).reason, testing::HasSubstr("more than 67.1089 MB"));
 }
 
 TEST_F(ExecutorTest, a_job_that_has_crashed_runs_in_a_process_of_its_own_with_the_same_result) {
