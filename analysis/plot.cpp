@@ -158,7 +158,8 @@ std::string ranges(const Plot& plot, const DisplayUnit& y) {
   if (plot.log_axes) return "set logscale xy\n";
   std::string text = plot.kind == Plot::Kind::history
                          ? "set offsets 0, 0, graph 0.05, graph 0.02\n"
-                         : "set offsets graph 0.04, graph 0.04, graph 0.06, graph 0.06\n";
+                         : fmt::format("set offsets graph 0.04, graph 0.04, graph 0.06, {}\n",
+                                       plot.y_from_zero ? "0" : "graph 0.06");  // no room below zero
   if (plot.y_from_zero)
     text += "set yrange [0:*]\n";
   else if (plot.fit && plot.fit->ok() && has_band(*plot.fit))
