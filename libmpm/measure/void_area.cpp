@@ -11,7 +11,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double half_full = 0.5;
 /// A region along the wall that is farther than this beside the first circle is the gap under a body that
-/// leaves it.
+/// leaves it. Two: the indicator smears an edge over that many.
 constexpr int cells_beside_wall = 2;
 
 /// Area of the part of a unit square where the bilinear corner values (a b / d c, counter-clockwise) are

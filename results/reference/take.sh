@@ -33,7 +33,9 @@ for figure in fig1-grey fig2 fig2-grey fig3-grey fig4 fig4-spall fig5 fig5-grey 
   fig7-aspect fig8a fig8b fig8c fig8d block-height; do
   cp "$results/figures/$figure.png" "$into/"
 done
-if [ -n "$quick" ]; then
+if [ -z "$quick" ]; then
+  echo "collapsibility-quick.csv stays as it was: the folder of a quick run was not given" >&2
+else
   results=$quick
   ask collapsibility-quick "$collapsibility"
 fi

@@ -133,7 +133,7 @@ class Executor {
       if (attempt.end == crashed) {
         if (stopping()) return let_go(job, "");
         const auto crashes = ledger_.crashed(job.key);
-        attempt.job.reason = fmt::format("{}; crashes so far: {}, with {} the job is failed", attempt.why,
+        attempt.job.reason = fmt::format("{}; crashes so far: {}, from {} on the job is failed", attempt.why,
                                          crashes, options_.most_crashes);
         if (crashes < options_.most_crashes) {
           if (!again(job, attempt.job.reason)) return;

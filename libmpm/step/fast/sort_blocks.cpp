@@ -6,8 +6,8 @@ namespace mpm::fast {
 namespace {
 
 /// Blocks of a row of cells are filled in step where so many lanes or more have a particle. A block out of
-/// step costs more, one with empty lanes does less: 3 is best, with four lanes and with eight
-/// (PERFORMANCE.md, "Sorting").
+/// step costs more, one with empty lanes does less: 3 is best with eight lanes, and with four no other number
+/// is better (PERFORMANCE.md, "Sorting").
 constexpr int least_lanes = 3;
 
 }  // namespace

@@ -61,6 +61,7 @@ class Opening : public testing::Test {
 TEST_F(Opening, makes_folder_and_catalog) {
   const auto db = open_for_writing(results);
   EXPECT_EQ(integer(*db, "PRAGMA user_version"), current_catalog_schema().version());
+  EXPECT_EQ(integer(*db, "PRAGMA page_size"), 16384);
   EXPECT_EQ(integer(*db, "PRAGMA application_id"), catalog_application_id);
   EXPECT_EQ(db->execAndGet("PRAGMA journal_mode").getString(), "wal");
   EXPECT_EQ(integer(*db,

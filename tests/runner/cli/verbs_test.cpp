@@ -128,6 +128,25 @@ TEST_F(Verbs, damaged_files_are_made_again) {
   EXPECT_EQ(verb({"verify", "0", "--files"}), 0) << output;
 }
 
+// A disk that loses a bit changes neither size nor time: no run looks, verify does, and the next run then
+// mends it.
+TEST_F(Verbs, a_file_that_rotted_is_made_again_after_verify) {
+  const auto rows = rows_of(results);
+  const auto path = fs::path(results) / text("SELECT path FROM snapshots LIMIT 1");
+  const auto written = fs::last_write_time(path);
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const char first = static_cast<char>(file.get());
+  file.seekp(0);
+  file.put(static_cast<char>(first ^ 1));
+  file.close();
+  fs::last_write_time(path, written);
+  EXPECT_EQ(verb({"verify", "0", "--files"}), 1);
+  ASSERT_EQ(verb({"run", study}), 0);
+  EXPECT_THAT(output, HasSubstr("1 job to run again: a file of fields is missing or damaged"));
+  EXPECT_EQ(rows_of(results), rows);
+  EXPECT_EQ(verb({"verify", "0", "--files"}), 0) << output;
+}
+
 TEST_F(Verbs, merge_takes_over_another_folder_once) {
   const auto other = (folder.path() / "other").string();
   ASSERT_EQ(run({"merge", results, "--results", other}), 0) << output;

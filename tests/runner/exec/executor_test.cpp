@@ -274,6 +274,7 @@ TEST_F(ExecutorTest, a_job_that_crashes_again_and_again_is_failed_and_the_rest_g
   const auto& job = ledger.finished.at(fakes::key(2));
   EXPECT_EQ(job.failure, FailureKind::crash);
   EXPECT_THAT(job.reason, testing::HasSubstr("ended by signal 9 (Killed)"));
+  EXPECT_THAT(job.reason, testing::EndsWith("crashes so far: 3, from 3 on the job is failed"));
 }
 
 TEST_F(ExecutorTest, a_process_of_a_job_that_hangs_is_killed) {
