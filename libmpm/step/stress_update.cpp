@@ -28,7 +28,7 @@ void update_stress(State& state, const MaterialModel& model, double dt, StepRepo
     const Mat2& l = state.velocity_gradient[p];
     // det(1 + dt L) - 1 without the 1, so that small dilations keep their digits
     const double growth = dt * (l(0, 0) + l(1, 1)) + dt * dt * (l(0, 0) * l(1, 1) - l(0, 1) * l(1, 0));
-    ps.dilation[p] += (1 + ps.dilation[p]) * growth;
+    ps.dilation[p] = MieGrueneisen::expanded(ps.dilation[p] + (1 + ps.dilation[p]) * growth);
     const MieGrueneisen::Volume volume(ps.dilation[p]);
     const double density = model.eos.rho0 * (1 + volume.mu);
     const double specific_volume = model.eos.inverse_rho0 * (1 + volume.dilation);

@@ -1,8 +1,10 @@
 // One step of random states, and what a step must keep: mass, momentum, energy.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
@@ -76,6 +78,49 @@ TYPED_TEST(StepTest, KeepsEnergyToRoundingWhateverTheState) {
       last = blend.transfer_heat;
     }
   }
+}
+
+// Torn-off material: see MieGrueneisen::expanded.
+TYPED_TEST(StepTest, WhatHasExpandedTenfoldKeepsItsVolumeAndLosesItsPressure) {
+  const mpm::Scene scene = scenes::cavity(0.2e-6);
+  const mpm::MaterialModel material = mpm::build_material(scene);
+  const mpm::MieGrueneisen::Volume tenfold(mpm::MieGrueneisen::most_dilation);
+  mpm::State s{{}, mpm::Grid({-2e-6, 0}, {0.2e-6, 0.2e-6}, 20), {}, 0, 0, mpm::Floor::impact_wall};
+  mpm::Particles& ps = s.particles;
+  const mpm::Vec2 middle(0, 2e-6);
+  for (int j = -8; j < 8; ++j)
+    for (int i = -8; i < 8; ++i)
+      ps.add(middle + 0.1e-6 * mpm::Vec2(i + 0.5, j + 0.5), {}, 2.7e-11, 1e-14, {0.05e-6, 0.05e-6});
+  s.velocity_gradient.assign(ps.size(), mpm::Mat2::Zero());
+  start_domains<TypeParam>(ps);
+  const auto move = [&](double rate) {
+    for (std::size_t p = 0; p < ps.size(); ++p) ps.velocity[p] = rate * (ps.position[p] - middle);
+  };
+  const mpm::MieGrueneisen::Line line = material.eos.line(tenfold);
+  for (std::size_t p = 0; p < ps.size(); ++p) {
+    ps.dilation[p] = tenfold.dilation * (1 - 1e-6);
+    ps.pressure[p] = 1e9;
+    ps.energy[p] = (1e9 - line.cold) / line.thermal;
+  }
+  move(1e9);
+  const mpm::Energy before = mpm::energy_of(ps);
+  mpm::StepReport report;
+  for (int k = 0; k < 20; ++k) {
+    report = mpm::reference_step<TypeParam>(s, material, 5e-13);
+    const double mean = std::accumulate(ps.pressure.begin(), ps.pressure.end(), 0.0) / 256;
+    EXPECT_GT(mean, 0);
+    EXPECT_LT(mean, 1e9);
+  }
+  const auto at_the_end = [&] {
+    return std::count(ps.dilation.begin(), ps.dilation.end(), mpm::MieGrueneisen::most_dilation);
+  };
+  EXPECT_EQ(report.largest_dilation, mpm::MieGrueneisen::most_dilation);
+  EXPECT_GT(at_the_end(), 200);
+  EXPECT_NEAR(report.overstrained_mass, 2.7e-11 * static_cast<double>(at_the_end()), 1e-20);
+  EXPECT_NEAR((mpm::energy_of(ps).total() - before.total()) / before.total(), 0, 1e-13);
+  move(-1e9);  // what is pressed together again leaves the end of the range at once
+  report = mpm::reference_step<TypeParam>(s, material, 5e-13);
+  EXPECT_LT(at_the_end(), 30);
 }
 
 // The heat of the transfer is not negative for any particle, with any share of PIC.

@@ -110,7 +110,7 @@ struct Sweep {
       for (int l = 0; l < width; ++l) {
         const Real dilation = f[Column::dilation][l];
         if (f[Column::pressure][l] > k.pressure_limit) report.overpressed += f[initial_volume][l];
-        if (dilation < k.least_dilation || dilation > k.most_dilation)
+        if (dilation < k.least_dilation || dilation >= k.most_dilation)
           report.overstrained += f[initial_volume][l];
       }
   }
@@ -212,7 +212,7 @@ struct Sweep {
     report.broken |= broken;
     const Mask<Real> beyond = (extremes.high_pressure > k.pressure_limit) |
                               (extremes.low_dilation < k.least_dilation) |
-                              (extremes.high_dilation > k.most_dilation);
+                              (extremes.high_dilation >= k.most_dilation);
     if (any(beyond)) add_what_is_beyond(band, k, report);
     for (int l = 0; l < width; ++l) {
       const auto raise = [](double& most, double v) { most = v > most ? v : most; };
