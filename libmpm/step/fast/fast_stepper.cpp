@@ -14,7 +14,7 @@ using Clock = std::chrono::steady_clock;
 /// A sort costs as much as so many sweeps over blocks out of step cost more than over blocks in step, as a
 /// share of all blocks. When blocks out of step have cost that much, it is time to sort. Measured:
 /// PERFORMANCE.md.
-constexpr double sort_cost = 0.5;
+constexpr double sort_cost = 1;
 
 /// Of the grid, that a thread takes at a time.
 constexpr int rows_of_part = 32;

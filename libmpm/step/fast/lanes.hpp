@@ -62,8 +62,9 @@ MPM_INLINE PackD larger(PackD a, PackD b) { return (PackD)_mm256_max_pd((__m256d
 MPM_INLINE PackF larger(PackF a, PackF b) { return (PackF)_mm256_max_ps((__m256)a, (__m256)b); }
 MPM_INLINE PackD smaller(PackD a, PackD b) { return (PackD)_mm256_min_pd((__m256d)a, (__m256d)b); }
 MPM_INLINE PackF smaller(PackF a, PackF b) { return (PackF)_mm256_min_ps((__m256)a, (__m256)b); }
-MPM_INLINE bool any(Mask<double> m) { return _mm256_movemask_pd((__m256d)m) != 0; }
-MPM_INLINE bool any(Mask<float> m) { return _mm256_movemask_ps((__m256)m) != 0; }
+/// Bit l is lane l.
+MPM_INLINE int bits(Mask<double> m) { return _mm256_movemask_pd((__m256d)m); }
+MPM_INLINE int bits(Mask<float> m) { return _mm256_movemask_ps((__m256)m); }
 #else
 MPM_INLINE PackD square_root(PackD a) {
   for (int k = 0; k < 4; ++k) a[k] = __builtin_sqrt(a[k]);
@@ -77,9 +78,19 @@ MPM_INLINE PackD larger(PackD a, PackD b) { return a > b ? a : b; }
 MPM_INLINE PackF larger(PackF a, PackF b) { return a > b ? a : b; }
 MPM_INLINE PackD smaller(PackD a, PackD b) { return a < b ? a : b; }
 MPM_INLINE PackF smaller(PackF a, PackF b) { return a < b ? a : b; }
-MPM_INLINE bool any(Mask<double> m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
-MPM_INLINE bool any(Mask<float> m) { return (m[0] | m[1] | m[2] | m[3] | m[4] | m[5] | m[6] | m[7]) != 0; }
+MPM_INLINE int bits(Mask<double> m) {
+  int set = 0;
+  for (int l = 0; l < 4; ++l) set |= m[l] ? 1 << l : 0;
+  return set;
+}
+MPM_INLINE int bits(Mask<float> m) {
+  int set = 0;
+  for (int l = 0; l < 8; ++l) set |= m[l] ? 1 << l : 0;
+  return set;
+}
 #endif
+MPM_INLINE bool any(Mask<double> m) { return bits(m) != 0; }
+MPM_INLINE bool any(Mask<float> m) { return bits(m) != 0; }
 MPM_INLINE PackD magnitude(PackD a) { return (PackD)((Mask<double>)a & INT64_MAX); }
 MPM_INLINE PackF magnitude(PackF a) { return (PackF)((Mask<float>)a & INT32_MAX); }
 /// a where the mask says so, else 0.

@@ -20,7 +20,7 @@ struct Sweep {
     PackWeights<Real> weights[chunk_blocks];
     Gradient<Real> gradient[chunk_blocks];
     Strain<Real> strain[chunk_blocks];
-    bool in_step[chunk_blocks];
+    Place<Real> place[chunk_blocks];
   };
 
   static MPM_INLINE void weigh(const P* f, PackWeights<Real>& w) {
@@ -43,10 +43,11 @@ struct Sweep {
   }
 
   /// Motion and energy of a block from what it sees; the gradient of its displacement.
-  template <bool packs_in_step>
-  static MPM_INLINE Gradient<Real> advance(P* f, const Nodes<Real>& nodes, const PackWeights<Real>& w,
-                                           const Constants<Real>& k, Real dt, P* sums) {
-    const Reader<Real, packs_in_step> reader(nodes, f[node]);
+  template <Order order>
+  static MPM_INLINE Gradient<Real> advance(P* f, const Nodes<Real>& nodes, const Place<Real>& place,
+                                           const PackWeights<Real>& w, const Constants<Real>& k, Real dt,
+                                           P* sums) {
+    const Reader<Real, order> reader(nodes, f[node], place);
     const Seen<Real> vx = see(reader, motion_x, w), dvx = see(reader, change_x, w);
     const Seen<Real> vy = see(reader, motion_y, w), dvy = see(reader, change_y, w);
     const Real to_x = dt * k.inverse_cell_x, to_y = dt * k.inverse_cell_y;
@@ -116,8 +117,8 @@ struct Sweep {
   }
 
   /// What the block gives to the grid.
-  static MPM_INLINE void give(const P* f, const Nodes<Real>& nodes, const PackWeights<Real>& w,
-                              const Constants<Real>& k, bool packs_in_step) {
+  static MPM_INLINE void give(const P* f, const Nodes<Real>& nodes, const Place<Real>& place,
+                              const PackWeights<Real>& w, const Constants<Real>& k) {
     const P mass = f[initial_volume], volume = mass * (1 + f[Column::dilation]);
     const P mean = f[Column::pressure] + f[viscous_pressure];
     const P per_x = volume * k.force_x, per_y = volume * k.force_y;
@@ -128,10 +129,7 @@ struct Sweep {
                             -f[deviator_xy] * per_x,
                             -f[deviator_xy] * per_y,
                             (mean - f[deviator_yy]) * per_y};
-    if (packs_in_step)
-      add_in_step(nodes, f[node], w, given);
-    else
-      add_one_by_one(nodes, f[node], w, given);
+    add(nodes, f[node], place, w, given);
   }
 
   static void scatter(const Band<Real>& band, const Nodes<Real>& nodes, const Constants<Real>& k) {
@@ -139,7 +137,7 @@ struct Sweep {
     for (std::size_t b = 0; b < band.count; ++b, f += columns) {
       PackWeights<Real> w;
       weigh(f, w);
-      give(f, nodes, w, k, in_step<Real>(f[node]));
+      give(f, nodes, place_of<Real>(f[node]), w, k);
     }
   }
 
@@ -170,13 +168,16 @@ struct Sweep {
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         weigh(f, chunk.weights[b]);
         blind(f, chunk.weights[b]);
-        chunk.in_step[b] = in_step<Real>(f[node]);
+        chunk.place[b] = place_of<Real>(f[node]);
       });
       P sums[4] = {};
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         prefetch(f + chunk_blocks * columns);
-        chunk.gradient[b] = chunk.in_step[b] ? advance<true>(f, nodes, chunk.weights[b], k, dt, sums)
-                                             : advance<false>(f, nodes, chunk.weights[b], k, dt, sums);
+        const Place<Real>& place = chunk.place[b];
+        const PackWeights<Real>& w = chunk.weights[b];
+        chunk.gradient[b] = place.in_step() ? advance<Order::in_step>(f, nodes, place, w, k, dt, sums)
+                            : place.loose() ? advance<Order::loose>(f, nodes, place, w, k, dt, sums)
+                                            : advance<Order::with_strays>(f, nodes, place, w, k, dt, sums);
       });
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         chunk.strain[b] = strain_of<Real, variant>(f, chunk.gradient[b], k);
@@ -191,15 +192,15 @@ struct Sweep {
         const P shift_x = rounded<Real>(f[position_x]), shift_y = rounded<Real>(f[position_y]);
         if (__builtin_expect(any((shift_x != 0) | (shift_y != 0)), 0)) {
           broken |= change_nodes(f, nodes, band.first_row, band.last_row);
-          chunk.in_step[b] = in_step<Real>(f[node]);
+          chunk.place[b] = place_of<Real>(f[node]);
         }
         extremes.low_node = smaller(extremes.low_node, f[node]);
         extremes.high_node = larger(extremes.high_node, f[node]);
         weigh(f, chunk.weights[b]);
       });
       each_block([&](P * f, int b) __attribute__((always_inline)) {
-        out_of_step += !chunk.in_step[b];
-        give(f, nodes, chunk.weights[b], k, chunk.in_step[b]);
+        out_of_step += !chunk.place[b].in_step();
+        give(f, nodes, chunk.place[b], chunk.weights[b], k);
       });
       for (int n = 0; n < 4; ++n)
         for (int l = 0; l < width; ++l) totals[n] += static_cast<double>(sums[n][l]);
