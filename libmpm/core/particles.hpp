@@ -14,8 +14,8 @@ struct Particles {
   std::vector<Vec2> velocity;          ///< [m/s]
   std::vector<double> mass;            ///< per depth [kg/m], constant
   std::vector<double> initial_volume;  ///< per depth, at the reference density [m^2], constant
-  std::vector<double>
-      dilation;  ///< J - 1 = rho0/rho - 1 [1]; near zero, so that small strains keep their digits
+  std::vector<double> dilation;  ///< J - 1 = rho0/rho - 1 [1], at most MieGrueneisen::most_dilation; small
+                                 ///< strains keep their digits
   std::vector<double> energy;    ///< specific internal energy, carried at half steps (see step.hpp) [J/kg]
   std::vector<double> pressure;  ///< of the equation of state [Pa]
   std::vector<double> viscous_pressure;  ///< q >= 0 [Pa]

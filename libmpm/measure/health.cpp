@@ -109,7 +109,7 @@ std::string Health::describe(Trouble trouble, const State& s, double energy_erro
     case Trouble::density:
       text << "density left its range: rho0/rho from " << 1 + last_.smallest_dilation << " to "
            << 1 + last_.largest_dilation << ", " << 100 * last_.overstrained_mass / mass_
-           << " % of the mass outside " << 1 + MieGrueneisen::least_dilation << " to "
+           << " % of the mass below " << 1 + MieGrueneisen::least_dilation << " or at "
            << 1 + MieGrueneisen::most_dilation << "; allowed " << 100 * most_beyond
            << " %, and no particle below " << 1 + crushed;
       break;

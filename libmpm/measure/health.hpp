@@ -10,10 +10,9 @@ namespace mpm {
 /// A step is refused, and the run ends as failed, where
 ///   - a particle's state is not finite, or a particle left the grid;
 ///   - more than 1 % of the mass is beyond the equation of state: its pressure above pressure_limit, or
-///   rho0/rho
-///     outside [1/4, 10]. Where a cavity closes, pressure is singular, and what a jet leaves behind is
-///     vapour: single particles pass these limits, and are counted as overpressed_mass_fraction and
-///     overstrained_mass_fraction;
+///     rho0/rho outside [1/4, 10). Where a cavity closes, pressure is singular, and what a jet leaves behind
+///     is vapour: single particles pass or reach these limits, and are counted as overpressed_mass_fraction
+///     and overstrained_mass_fraction;
 ///   - a particle is crushed to a twentieth of its volume;
 ///   - the step was longer than a cell over the fastest signal, CFL number 1: no explicit step is stable
 ///   there;

@@ -123,18 +123,20 @@ class SearchRun {
     whole.name += "-audit";
     whole.title += ", runs that stopped early run to their end";
     whole.scenes.clear();
+    const auto said = states_of(results_, all.name);
     std::vector<std::string> early;
     for (const mpm::Scene& scene : all.scenes) {
       if (scene.measures.stop != mpm::Stop::decided) continue;
-      ++report_.audit.early;
       const std::string key = job_key(scene);
+      if (said.at(key).status != "done") continue;  // a run that broke down said nothing
+      ++report_.audit.early;
       if (!sampled(key, options_.audit)) continue;
       early.push_back(key);
       whole.scenes.push_back(scene);
       whole.scenes.back().measures.stop = mpm::Stop::end_time;
     }
     if (whole.scenes.empty() || !round(whole)) return;
-    const auto said = states_of(results_, all.name), says = states_of(results_, whole.name);
+    const auto says = states_of(results_, whole.name);
     for (std::size_t i = 0; i < early.size(); ++i) {
       ++report_.audit.audited;
       const State &a = said.at(early[i]), &b = says.at(job_key(whole.scenes[i]));

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <sstream>
+#include <string>
 
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/shape/bspline2.hpp"
@@ -86,45 +89,87 @@ std::vector<mpm::Scene> variants() {
   return all;
 }
 
+/// A random state in eddies of ten cells: within 30 ps most blocks of the fast step have strays and are
+/// sorted.
+mpm::State eddies(const mpm::Scene& scene) {
+  mpm::State s = random_state(scene, 1.03e-6);
+  for (std::size_t p = 0; p < s.particles.size(); ++p) {
+    const mpm::Vec2 angle = std::numbers::pi / 1e-6 * s.particles.position[p];
+    s.particles.velocity[p] += 3000 * mpm::Vec2(std::sin(angle.x()) * std::cos(angle.y()),
+                                                -std::cos(angle.x()) * std::sin(angle.y()));
+  }
+  return s;
+}
+
 template <class Real>
-void expect_reference_on_random_states(double tolerance, bool near_tenfold = false) {
+void expect_same_step(FastStepper<Real>& fast, mpm::State& a, mpm::State& b, const mpm::Scene& scene,
+                      double dt, double tolerance) {
+  const mpm::StepReport x = fast.step(a, dt), y = reference(b, scene, dt);
+  EXPECT_NEAR(x.largest_signal / y.largest_signal, 1, tolerance);
+  EXPECT_NEAR(x.overpressed_mass, y.overpressed_mass, tolerance * y.overpressed_mass);
+  EXPECT_EQ(x.overstrained_mass > 0, y.overstrained_mass > 0);
+  EXPECT_NEAR(x.kinetic_energy / y.kinetic_energy, 1, tolerance);
+  EXPECT_NEAR(x.smallest_dilation, y.smallest_dilation, tolerance);
+  EXPECT_NEAR(x.largest_dilation, y.largest_dilation, tolerance);
+  EXPECT_NEAR(x.transfer_heat / y.transfer_heat, 1, tolerance);
+  EXPECT_LT((x.wall_impulse - y.wall_impulse).norm(), tolerance * mpm::momentum_of(b.particles).norm());
+  fast.refresh_particles(a);
+  expect_same(a.particles, b.particles, tolerance);
+}
+
+std::string name_of(const mpm::Scene& scene) {
+  std::ostringstream text;
+  text << "gimp " << variant_of(scene).gimp << ", kinematic " << scene.material.kinematic_fraction
+       << ", tension " << static_cast<int>(scene.material.tension);
+  return text.str();
+}
+
+template <class Real>
+void expect_reference_on_random_states(double tolerance) {
   for (const mpm::Scene& scene : variants())
     // None puts the edge of a domain exactly on a node: there rounding decides whether the node is reached.
     for (const double lift : {0.0, 0.13e-6, 1.03e-6}) {
-      SCOPED_TRACE(testing::Message()
-                   << "gimp " << variant_of(scene).gimp << ", kinematic " << scene.material.kinematic_fraction
-                   << ", tension " << static_cast<int>(scene.material.tension) << ", lift " << lift);
+      SCOPED_TRACE(testing::Message() << name_of(scene) << ", lift " << lift);
       mpm::State a = random_state(scene, lift), b = random_state(scene, lift);
-      if (near_tenfold)
-        for (std::size_t p = 0; p < a.particles.size(); p += 10)
-          a.particles.dilation[p] = b.particles.dilation[p] = mpm::MieGrueneisen::most_dilation * (1 - 1e-5);
       FastStepper<Real> fast(mpm::build_material(scene), variant_of(scene));
-      for (int k = 0; k < 3; ++k) {
-        const double dt = (5 + k) * (near_tenfold ? 1e-14 : 1e-12);  // expanded particles are torn about
-        const mpm::StepReport x = fast.step(a, dt), y = reference(b, scene, dt);
-        EXPECT_NEAR(x.largest_signal / y.largest_signal, 1, tolerance);
-        EXPECT_NEAR(x.overpressed_mass, y.overpressed_mass, tolerance * y.overpressed_mass);
-        EXPECT_EQ(x.overstrained_mass > 0, y.overstrained_mass > 0);
-        EXPECT_NEAR(x.kinetic_energy / y.kinetic_energy, 1, tolerance);
-        EXPECT_NEAR(x.smallest_dilation, y.smallest_dilation, tolerance);
-        EXPECT_NEAR(x.largest_dilation, y.largest_dilation, tolerance);
-        if (near_tenfold) {
-          EXPECT_EQ(x.largest_dilation, mpm::MieGrueneisen::most_dilation);
-        }
-        EXPECT_NEAR(x.transfer_heat / y.transfer_heat, 1, tolerance);
-        EXPECT_LT((x.wall_impulse - y.wall_impulse).norm(), tolerance * mpm::momentum_of(b.particles).norm());
-        fast.refresh_particles(a);
-        expect_same(a.particles, b.particles, tolerance);
-      }
+      for (int k = 0; k < 3; ++k) expect_same_step<Real>(fast, a, b, scene, (5 + k) * 1e-12, tolerance);
     }
+}
+
+/// Some particles expand beyond the range of the equation of state.
+template <class Real>
+void expect_reference_on_what_has_expanded(double tolerance) {
+  for (const mpm::Scene& scene : variants()) {
+    SCOPED_TRACE(name_of(scene));
+    mpm::State a = random_state(scene, 0), b = random_state(scene, 0);
+    for (std::size_t p = 0; p < a.particles.size(); p += 10)
+      a.particles.dilation[p] = b.particles.dilation[p] = mpm::MieGrueneisen::most_dilation * (1 - 1e-5);
+    FastStepper<Real> fast(mpm::build_material(scene), variant_of(scene));
+    for (int k = 0; k < 3; ++k) expect_same_step<Real>(fast, a, b, scene, (5 + k) * 1e-14, tolerance);
+    const auto& dilation = b.particles.dilation;
+    EXPECT_GT(std::count(dilation.begin(), dilation.end(), mpm::MieGrueneisen::most_dilation), 20);
+  }
+}
+
+template <class Real>
+void expect_reference_on_eddies(double tolerance) {
+  for (const mpm::Scene& scene : variants()) {
+    SCOPED_TRACE(name_of(scene));
+    mpm::State a = eddies(scene), b = a;
+    FastStepper<Real> fast(mpm::build_material(scene), variant_of(scene));
+    for (int k = 0; k < 5; ++k) expect_same_step<Real>(fast, a, b, scene, 1e-11, tolerance);
+  }
 }
 
 TEST(FastStep, AgreesWithTheReferenceOnRandomStates) { expect_reference_on_random_states<double>(1e-12); }
 TEST(FastStep, FloatAgreesWithTheReferenceOnRandomStates) { expect_reference_on_random_states<float>(1e-4); }
-/// Some particles are about to expand beyond the range of the equation of state.
 TEST(FastStep, AgreesWithTheReferenceOnWhatHasExpandedTenfold) {
-  expect_reference_on_random_states<double>(1e-12, true);
-  expect_reference_on_random_states<float>(1e-4, true);
+  expect_reference_on_what_has_expanded<double>(1e-12);
+  expect_reference_on_what_has_expanded<float>(1e-4);
+}
+TEST(FastStep, AgreesWithTheReferenceWhereParticlesStray) {
+  expect_reference_on_eddies<double>(1e-12);
+  expect_reference_on_eddies<float>(1e-4);
 }
 
 TEST(FastStep, KeepsEnergyToRounding) {
@@ -138,11 +183,11 @@ TEST(FastStep, KeepsEnergyToRounding) {
   }
 }
 
-/// The AVX2 kernels round a*b + c once, the others twice; nothing else may differ. Enough steps for a sort.
+/// The AVX2 kernels round a*b + c once, the others twice; nothing else may differ. Enough steps for five sorts.
 TEST(FastStep, InstructionSetsDifferByRoundingOnly) {
   if (!mpm::fast::supported(InstructionSet::avx2)) GTEST_SKIP() << "this processor has no AVX2";
   for (const mpm::Scene& scene : variants()) {
-    mpm::State a = random_state(scene, 0), b = random_state(scene, 0);
+    mpm::State a = eddies(scene), b = a;
     const mpm::MaterialModel m = mpm::build_material(scene);
     const Variant v = variant_of(scene);
     FastDouble narrow(m, v, InstructionSet::baseline), wide(m, v, InstructionSet::avx2);

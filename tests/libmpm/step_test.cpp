@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
@@ -105,12 +104,11 @@ TYPED_TEST(StepTest, WhatHasExpandedTenfoldKeepsItsVolumeAndLosesItsPressure) {
   move(1e9);
   const mpm::Energy before = mpm::energy_of(ps);
   mpm::StepReport report;
-  for (int k = 0; k < 20; ++k) {
-    report = mpm::reference_step<TypeParam>(s, material, 5e-13);
-    const double mean = std::accumulate(ps.pressure.begin(), ps.pressure.end(), 0.0) / 256;
-    EXPECT_GT(mean, 0);
-    EXPECT_LT(mean, 1e9);
-  }
+  const std::size_t inner = 8 * 16 + 8;
+  const double first = ps.pressure[inner];
+  for (int k = 0; k < 20; ++k) report = mpm::reference_step<TypeParam>(s, material, 5e-13);
+  // dP/dt = -gamma0 P rho0/rho theta, with theta from 2e9 1/s on
+  EXPECT_NEAR(std::log(ps.pressure[inner] / first), -material.eos.gamma0 * 10 * 2e9 * 20 * 5e-13, 0.02);
   const auto at_the_end = [&] {
     return std::count(ps.dilation.begin(), ps.dilation.end(), mpm::MieGrueneisen::most_dilation);
   };
@@ -119,7 +117,7 @@ TYPED_TEST(StepTest, WhatHasExpandedTenfoldKeepsItsVolumeAndLosesItsPressure) {
   EXPECT_NEAR(report.overstrained_mass, 2.7e-11 * static_cast<double>(at_the_end()), 1e-20);
   EXPECT_NEAR((mpm::energy_of(ps).total() - before.total()) / before.total(), 0, 1e-13);
   move(-1e9);  // what is pressed together again leaves the end of the range at once
-  report = mpm::reference_step<TypeParam>(s, material, 5e-13);
+  mpm::reference_step<TypeParam>(s, material, 5e-13);
   EXPECT_LT(at_the_end(), 30);
 }
 

@@ -33,7 +33,7 @@ template <class Real, Variant variant>
 MPM_INLINE Strain<Real> strain_of(Pack<Real>* f, const Gradient<Real>& l, const Constants<Real>& k) {
   using P = Pack<Real>;
   const P growth = (l.xx + l.yy) + (l.xx * l.yy - l.xy * l.yx);
-  // at most tenfold: see MieGrueneisen::expanded
+  // At most tenfold: see MieGrueneisen::expanded. The second of smaller() wins where it is not a number.
   const P dilation = smaller(all(k.most_dilation), f[Column::dilation] + (1 + f[Column::dilation]) * growth);
   f[Column::dilation] = dilation;
   const P ratio = 1 + dilation;

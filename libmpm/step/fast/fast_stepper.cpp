@@ -12,8 +12,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// A sort costs as much as so many sweeps over blocks out of step cost more than over blocks in step, as a
-/// share of all blocks. When blocks out of step have cost that much, it is time to sort. Measured:
-/// PERFORMANCE.md.
+/// share of all blocks, whatever the number of their strays. When blocks out of step have cost that much, it
+/// is time to sort. Measured: PERFORMANCE.md.
 constexpr double sort_cost = 1;
 
 /// Of the grid, that a thread takes at a time.
@@ -111,7 +111,7 @@ SweepReport FastStepper<Real>::sweep(double dt) {
 
   SweepReport sums{};
   sums.lowest_node = std::numeric_limits<double>::infinity();
-  stray_ = false;
+  leaving_band_ = false;
   const int stride = grid_->nodes().stride;
   for (std::size_t b = 0; b < bands.size(); ++b) {
     const SweepReport& own = reports_[b];
@@ -128,8 +128,8 @@ SweepReport FastStepper<Real>::sweep(double dt) {
     sums.momentum_y += own.momentum_y;
     sums.out_of_step += own.out_of_step;
     sums.broken |= own.broken;
-    stray_ |= own.lowest_node < (bands[b].first_row - 1) * stride ||
-              own.highest_node >= (bands[b].last_row + 2) * stride;
+    leaving_band_ |= own.lowest_node < (bands[b].first_row - 1) * stride ||
+                     own.highest_node >= (bands[b].last_row + 2) * stride;
   }
   return sums;
 }
@@ -165,7 +165,8 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
   };
   move(state.floor, dt);
   spent(times_.grid);
-  if (stray_ || static_cast<double>(out_of_step_) > sort_cost * static_cast<double>(blocks_->count())) {
+  if (leaving_band_ ||
+      static_cast<double>(out_of_step_) > sort_cost * static_cast<double>(blocks_->count())) {
     blocks_->sort(grid_->nodes().rows);
     out_of_step_ = 0;
   }
@@ -227,7 +228,7 @@ void FastStepper<Real>::carry(State& state, Archive& a) {
   blocks_->carry(blocks), grid_->carry(nodes);
   a.integer("first_row", first_row_), a.integer("last_row", last_row_);
   a.integer("moved_first", moved_first_), a.integer("moved_last", moved_last_);
-  a.integer("out_of_step", out_of_step_), a.integer("stray", stray_);
+  a.integer("out_of_step", out_of_step_), a.integer("leaving_band", leaving_band_);
 }
 
 template class FastStepper<double>;

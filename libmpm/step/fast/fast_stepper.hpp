@@ -54,7 +54,7 @@ class FastStepper : public Stepper {
   std::vector<SweepReport> reports_;  ///< of the bands in the last sweep
   ThreadTeam team_;
   StepTimes times_;
-  bool stray_ = false;  ///< particles are about to leave the rows of their band
+  bool leaving_band_ = false;  ///< particles are about to leave the rows of their band
 };
 
 }  // namespace mpm::fast

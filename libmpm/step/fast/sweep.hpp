@@ -176,8 +176,9 @@ struct Sweep {
         const Place<Real>& place = chunk.place[b];
         const PackWeights<Real>& w = chunk.weights[b];
         chunk.gradient[b] = place.in_step() ? advance<Order::in_step>(f, nodes, place, w, k, dt, sums)
-                            : place.loose() ? advance<Order::loose>(f, nodes, place, w, k, dt, sums)
-                                            : advance<Order::with_strays>(f, nodes, place, w, k, dt, sums);
+                            : place.scattered()
+                                ? advance<Order::scattered>(f, nodes, place, w, k, dt, sums)
+                                : advance<Order::with_strays>(f, nodes, place, w, k, dt, sums);
       });
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         chunk.strain[b] = strain_of<Real, variant>(f, chunk.gradient[b], k);

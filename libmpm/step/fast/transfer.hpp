@@ -8,8 +8,6 @@
 /// since fetch their own; where most have, all do. What a pack gives goes to one of three sums of each node,
 /// by column of the stencil, at the lower left node: then neighbouring packs in step never touch the same
 /// numbers, and collect_nodes() adds the three.
-#include <initializer_list>
-
 #include "libmpm/step/fast/kernels.hpp"
 #include "libmpm/step/fast/lanes.hpp"
 #include "libmpm/step/fast/weights.hpp"
@@ -27,7 +25,7 @@ struct Place {
   std::int32_t stray[width];
 
   bool in_step() const { return strays == 0; }
-  bool loose() const { return strays == width; }
+  bool scattered() const { return strays == width; }
 };
 
 template <class Real>
@@ -41,17 +39,19 @@ MPM_INLINE Place<Real> place_of(Pack<Real> node) {
     place.strays = 0;
     return place;
   }
-  // Most lanes of a group are where one of these is.
+  // Where lane 0 has strayed, the group with the most lanes is nearly always that of the middle lane or of
+  // the last one. Empty lanes count like others: they lie where those of their block do.
+  constexpr int candidates[] = {width / 2, width - 1};
   int fewest = place.first % width == 0 ? __builtin_popcount(static_cast<unsigned>(away)) : width;
-  for (const int lane : {width / 2, width - 1}) {
+  for (const int lane : candidates) {
     const auto first = static_cast<std::int32_t>(start[lane]);
     const int others = bits(start != all(start[lane]));
     const int count = __builtin_popcount(static_cast<unsigned>(others));
     if (first % width != 0 || count >= fewest) continue;
     fewest = count, away = others, place.first = first;
   }
-  const bool loose = fewest > Place<Real>::most_strays;
-  if (loose) away = all_lanes;
+  const bool scattered = fewest > Place<Real>::most_strays;
+  if (scattered) away = all_lanes;
   place.strays = 0;
   for (; away != 0; away &= away - 1)
     place.stray[place.strays++] = __builtin_ctz(static_cast<unsigned>(away));
@@ -64,7 +64,7 @@ struct Seen {
   Pack<Real> value, along_x, along_y;
 };
 
-enum class Order { in_step, with_strays, loose };
+enum class Order { in_step, with_strays, scattered };
 
 /// The nodes of a pack: reader(c, j, out) fetches component c in row j of the stencils, column by column.
 template <class Real, Order>
@@ -115,7 +115,7 @@ struct Reader<Real, Order::with_strays> {
 };
 
 template <class Real>
-struct Reader<Real, Order::loose> {
+struct Reader<Real, Order::scattered> {
   const Real* motion;
   std::ptrdiff_t to_row;
   std::int32_t at[3][Lanes<Real>::width];  ///< of the columns of the lowest row
@@ -231,7 +231,8 @@ MPM_INLINE void add(const Nodes<Real>& nodes, const Pack<Real>& node, const Plac
     return;
   }
   const auto first = static_cast<Real>(place.first);
-  if (!place.loose()) add_in_step(nodes, place.first, w, given.of(node - Lanes<Real>::numbers == all(first)));
+  if (!place.scattered())
+    add_in_step(nodes, place.first, w, given.of(node - Lanes<Real>::numbers == all(first)));
   add_one_by_one(nodes, node, place, w, given);
 }
 

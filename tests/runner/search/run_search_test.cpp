@@ -153,13 +153,19 @@ TEST_F(SearchStudy, IsTheSameForAnyNumberOfWorkersAndAfterAStop) {
   EXPECT_EQ(rows(folder.path() / "stopped"), rows(folder.path() / "one"));
 }
 
-TEST_F(SearchStudy, WhereRunsFailHalfStepsKeepTheTolerance) {
+TEST_F(SearchStudy, WhereRunsFailHalfStepsKeepTheToleranceAndNothingIsAudited) {
   breaks = [](const mpm::Scene& s) {
     const double off = std::abs(std::remainder(s.impact_speed, 10));
     return off < 1e-6 && std::abs(s.impact_speed - critical_speed(s)) < 5;
   };
+  const SearchReport report = search(folder.path(), 2, 1);
+  EXPECT_GT(report.run.executed.failed, 0u);
+  EXPECT_EQ(report.audit.audited, report.audit.early);
+  const auto in_vain =
+      query(folder.path(), "SELECT key FROM jobs WHERE study LIKE '%-audit' AND status = 'failed'");
+  EXPECT_TRUE(in_vain.rows.empty());
   int narrowed = 0;
-  for (const FoundBracket& b : search(folder.path(), 2).brackets) {
+  for (const FoundBracket& b : report.brackets) {
     ASSERT_TRUE(b.lower && b.upper);
     EXPECT_LE(*b.upper - *b.lower, 10 + 1e-6);
     const double critical = critical_speed(b.point.scene);
