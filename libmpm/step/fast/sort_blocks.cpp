@@ -89,7 +89,7 @@ void Blocks<Real>::permute(std::span<const std::uint32_t> from) {
     if (from[s] != nobody && from[s] / width < s / width)
       remembered = std::max(remembered, s / width - from[s] / width + 1);
   if (new_blocks * size > values_.size()) {
-    AlignedArray<Real> more((new_blocks + new_blocks / 32) * size);
+    AlignedArray<Real> more((new_blocks + new_blocks / 64) * size);
     std::copy_n(values_.data(), old_blocks * size, more.data());
     values_ = std::move(more);
   }
