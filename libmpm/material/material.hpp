@@ -7,7 +7,7 @@ namespace mpm {
 
 /// How pressure behaves once the material is expanded (rho < rho0).
 enum class Tension {
-  polynomial,  ///< the polynomial goes on, up to tenfold (the paper's model: no failure, separation is numerical)
+  polynomial,  ///< the polynomial goes on, up to tenfold (the paper has no failure: walls part numerically)
   linear,      ///< P = C mu without the energy term
   cutoff,      ///< the polynomial, but never below minus the spall strength
 };

@@ -183,7 +183,7 @@ TEST(FastStep, KeepsEnergyToRounding) {
   }
 }
 
-/// The AVX2 kernels round a*b + c once, the others twice; nothing else may differ. Enough steps for five sorts.
+/// The AVX2 kernels round a*b + c once, the others twice; nothing else may differ. Five sorts.
 TEST(FastStep, InstructionSetsDifferByRoundingOnly) {
   if (!mpm::fast::supported(InstructionSet::avx2)) GTEST_SKIP() << "this processor has no AVX2";
   for (const mpm::Scene& scene : variants()) {
