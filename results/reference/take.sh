@@ -10,8 +10,9 @@ collapsibility="SELECT a.study, j.position, j.cell_size_m, j.cavity_radius_m, j.
   a.extrapolated_value, a.extrapolated_error, a.measuring_error, a.observed_order, a.method FROM accuracy a JOIN jobs j ON j.key = a.key AND
   j.study = a.study WHERE a.quantity = 'collapsibility' ORDER BY a.study, j.position"
 
-ask provenance "SELECT './reproduce.sh --full' AS command, git_revision, physics_version, count(DISTINCT key) AS jobs,
-  sum(cpu_s) AS cpu_s FROM jobs WHERE status = 'done' GROUP BY git_revision, physics_version"
+ask provenance "SELECT './reproduce.sh --full' AS command, git_revision, physics_version, count(*) AS jobs,
+  sum(cpu_s) AS cpu_s FROM (SELECT DISTINCT key, cpu_s, git_revision, physics_version FROM jobs WHERE status = 'done')
+  GROUP BY git_revision, physics_version"
 ask claims "SELECT name, study, verdict, measured FROM claims"
 ask collapsibility "$collapsibility"
 ask one-cell "SELECT study, position, cell_size_m, block_height_m, cavity_center_height_m, collapsibility, collapsibility_error

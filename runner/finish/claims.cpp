@@ -203,8 +203,8 @@ Claim parabola(const Evidence& e) {
       "IS NOT NULL ORDER BY wall_thickness_m");
   if (!r2 || !c2) return c;
   judge(c, *r2 > 0.95 && std::ranges::is_sorted(u),
-        fmt::format("r2 = {:.4f}; curvature {:.1f} ± {:.1f} (m/s)/um^2", *r2, *c2 * 1e-12,
-                    error.value_or(0) * 1e-12),
+        fmt::format("weighted r2 = {:.4f}; curvature {:.1f}, standard error {:.1f} (m/s)/um^2", *r2,
+                    *c2 * 1e-12, error.value_or(0) * 1e-12),
         "critical speeds that grow on the finest cell, and r2 above 0.95 for the parabola through those for "
         "cells of size 0; "
         "where the curvature is within its error of 0 a straight line does as well");

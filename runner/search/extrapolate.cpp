@@ -22,6 +22,8 @@ std::optional<Extrapolated> extrapolate(std::span<const CellBracket> cells) {
       doubt = std::abs(last);
     } else if (way == 0) {
       doubt = std::abs(before);
+    } else {  // closer than first order on halved cells would be may be luck
+      doubt = std::max(doubt, 0.5 * std::abs(before));
     }
   }
   const double widths = fine.half_width() * (1 + slope) + coarse.half_width() * slope;

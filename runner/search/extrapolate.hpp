@@ -20,9 +20,9 @@ struct Extrapolated {
 
 /// The critical value for cells of size 0, first order in the cell from the two finest: separation comes a
 /// cell early, which is an error of first order. The half width is the whole way of the extrapolation plus
-/// what the widths of the brackets leave open. Where three cells do not come closer, the value is that of the
-/// finest and the half width the last difference; where they turn, the larger difference. Empty for less than
-/// two cells. `cells`: coarse first.
+/// what the widths of the brackets leave open, with three cells at least half of the difference before the
+/// last. Where three cells do not come closer, the value is that of the finest and the half width the last
+/// difference; where they turn, the larger difference. Empty for less than two cells. `cells`: coarse first.
 std::optional<Extrapolated> extrapolate(std::span<const CellBracket> cells);
 
 }  // namespace mpmstudy

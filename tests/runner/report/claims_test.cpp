@@ -189,7 +189,7 @@ TEST_F(Claims, FollowTheFitOfTheCriticalSpeed) {
                                                     {2e-6, 600, 610, "a", "b", 1e-7, 590, 20, "", 5, 1}});
   fit(0.999);
   EXPECT_EQ(judged("critical-speed-parabola").verdict, "holds");
-  EXPECT_THAT(judged("critical-speed-parabola").measured, testing::HasSubstr("30.0 ± 1.0"));
+  EXPECT_THAT(judged("critical-speed-parabola").measured, testing::HasSubstr("30.0, standard error 1.0"));
   EXPECT_EQ(judged("critical-speed-values").verdict, "not comparable");
   EXPECT_EQ(judged("critical-speed-values").measured,
             "390 ± 20 m/s at d = 1 um to 590 ± 20 m/s at 2 um; on the finest cell 405 to 605 m/s");

@@ -134,6 +134,10 @@ TEST(Extrapolate, IsExactForFirstOrderAndCoversTheWayAndTheWidths) {
   EXPECT_NEAR(e->value, 500, 1e-9);
   EXPECT_NEAR(e->interval, 10 + 15, 1e-9);  // the way, and 5 * 2 + 5 * 1
   EXPECT_FALSE(extrapolate(std::span(cells, 1)));
+  // The last step is small after a large one: half of that one stays in doubt.
+  const CellBracket sudden[] = {{0.4, 700, 700}, {0.2, 500, 500}, {0.1, 490, 490}};
+  EXPECT_NEAR(extrapolate(sudden)->value, 480, 1e-9);
+  EXPECT_NEAR(extrapolate(sudden)->interval, 100, 1e-9);
   // Cells that do not come closer: the finest, and the last difference is in doubt.
   const CellBracket wild[] = {{0.4, 500, 500}, {0.2, 510, 510}, {0.1, 540, 540}};
   EXPECT_NEAR(extrapolate(wild)->value, 540, 1e-9);
