@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -7,7 +10,7 @@
 #include "runner/study/document.hpp"
 #include "runner/study/requests.hpp"
 #include "runner/study/study.hpp"
-#include "tests/stability/case.hpp"
+#include "tests/stability/bodies.hpp"
 
 namespace stability {
 namespace {
@@ -35,6 +38,34 @@ Outcome run_expecting(const mpm::Scene& scene, const Expectation& expected) {
   if (expected.outcome == Expectation::Outcome::breaks)
     o.as_expected = r.status == mpm::RunStatus::failed && r.reason.find(expected.reason) != std::string::npos;
   return o;
+}
+
+constexpr std::int64_t compared_steps = 500;
+constexpr double reference_cost = 6;  ///< of a step, in steps of the fast kernel
+
+/// The first steps by the fast step and by the reference: areas and extremes of density agree. The contour
+/// counts until the topology changes.
+Outcome run_by_both(mpm::Scene scene) {
+  const mpm::RunResult fast = mpm::run(scene);
+  scene.numerics.kernel = mpm::Kernel::reference;
+  const mpm::RunResult reference = mpm::run(scene);
+  double changed = std::numeric_limits<double>::infinity();
+  for (const mpm::Metric& m : reference.metrics)
+    if (m.name == "topology_changed_time_s") changed = m.value;
+  const Outcome a = judge(fast, 0.01), b = judge(reference, 0.01);
+  double off = std::max(std::abs(a.smallest_density - b.smallest_density),
+                        std::abs(a.largest_density - b.largest_density));
+  const bool same_steps =
+      fast.steps == reference.steps && fast.area_history.size() == reference.area_history.size();
+  for (std::size_t k = 0; same_steps && k < fast.area_history.size(); ++k) {
+    const mpm::AreaSample &x = fast.area_history[k], &y = reference.area_history[k];
+    const double initial = reference.area_history[0].area;
+    off = std::max(off, std::abs(x.void_area - y.void_area) / initial);
+    if (y.time < changed) off = std::max(off, std::abs(x.area - y.area) / initial);
+  }
+  std::ostringstream note;
+  note << "areas and densities of the reference to " << off;
+  return also(a, b.as_expected && same_steps && off < 1e-9, note.str());
 }
 
 /// The study is refused: its [expect] is read by itself.
@@ -74,6 +105,17 @@ std::vector<Case> study_cases(const std::string& folder) {
       cases.push_back({path.stem(), variant_of(scene, study.swept), word, expected.why,
                        static_cast<double>(e.particles) * static_cast<double>(e.steps),
                        [scene, expected] { return run_expecting(scene, expected); }});
+      if (scene.numerics.kernel != mpm::Kernel::fast ||
+          scene.numerics.precision != mpm::Precision::double_precision ||
+          expected.outcome != Expectation::Outcome::holds)
+        continue;
+      mpm::Scene first = scene;
+      const auto steps = static_cast<double>(std::min(compared_steps, e.steps));
+      first.end_time *= steps / static_cast<double>(e.steps);
+      cases.push_back({"both kernels", path.stem().string() + " " + variant_of(scene, study.swept), "holds",
+                       "the fast step against the reference",
+                       static_cast<double>(e.particles) * steps * reference_cost,
+                       [first] { return run_by_both(first); }});
     }
   }
   return cases;
