@@ -343,9 +343,8 @@ Claim critical_values(const Evidence& e) {
   if (u.empty()) return c;
   c.verdict = "not comparable";
   c.measured = fmt::format(
-      "{:.0f} ± {:.0f} m/s at d = {:.3g} um to {:.0f} ± {:.0f} m/s at {:.3g} um; on the finest cell {:.0f} "
-      "to "
-      "{:.0f} m/s",
+      "{:.0f} ± {:.0f} m/s at d = {:.3g} um to {:.0f} ± {:.0f} m/s at {:.3g} um; on the finest cell "
+      "{:.0f} to {:.0f} m/s",
       u.front(), interval.front(), d.front(), u.back(), interval.back(), d.back(), found.front(),
       found.back());
   std::vector<std::string> changes = {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "libmpm/scene/parameters.hpp"
+#include "runner/bench/exact/scenes.hpp"
 #include "runner/study/document.hpp"
 #include "runner/study/requests.hpp"
 #include "runner/study/study.hpp"
@@ -49,9 +50,8 @@ Outcome run_by_both(mpm::Scene scene) {
   const mpm::RunResult fast = mpm::run(scene);
   scene.numerics.kernel = mpm::Kernel::reference;
   const mpm::RunResult reference = mpm::run(scene);
-  double changed = std::numeric_limits<double>::infinity();
-  for (const mpm::Metric& m : reference.metrics)
-    if (m.name == "topology_changed_time_s") changed = m.value;
+  const double changed =
+      mpmstudy::scenes::metric(reference, "topology_changed_time_s", std::numeric_limits<double>::infinity());
   const Outcome a = judge(fast, 0.01), b = judge(reference, 0.01);
   double off = std::max(std::abs(a.smallest_density - b.smallest_density),
                         std::abs(a.largest_density - b.largest_density));
@@ -63,9 +63,8 @@ Outcome run_by_both(mpm::Scene scene) {
     off = std::max(off, std::abs(x.void_area - y.void_area) / initial);
     if (y.time < changed) off = std::max(off, std::abs(x.area - y.area) / initial);
   }
-  std::ostringstream note;
-  note << "areas and densities of the reference to " << off;
-  return also(a, b.as_expected && same_steps && off < 1e-9, note.str());
+  return also(a, b.as_expected && same_steps && off < 1e-9,
+              text("areas and densities of the reference to", off));
 }
 
 /// The study is refused: its [expect] is read by itself.

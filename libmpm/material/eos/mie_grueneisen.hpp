@@ -25,7 +25,7 @@ struct MieGrueneisen {
   /// Inside the range, its upper end not included: particles are held there (expanded()).
   static bool holds_at(double dilation) { return dilation >= least_dilation && dilation < most_dilation; }
 
-  /// The dilation of what expands to `dilation` or is not a number: at most tenfold. The factor of A makes
+  /// `dilation`, counted up to tenfold expansion; not a number stays so. The factor of A makes
   /// the cold tension grow with the volume without bound, and with it the sound speed: 0.22 TPa and 31 km/s
   /// at ten times the volume, 1.18 TPa and 146 km/s at 47 times, to which one torn-off particle would hold
   /// the time step of a whole run. What is held at the end of the range and goes on expanding at the rate

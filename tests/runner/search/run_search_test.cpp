@@ -153,7 +153,7 @@ TEST_F(SearchStudy, IsTheSameForAnyNumberOfWorkersAndAfterAStop) {
   EXPECT_EQ(rows(folder.path() / "stopped"), rows(folder.path() / "one"));
 }
 
-TEST_F(SearchStudy, WhereRunsFailHalfStepsKeepTheToleranceAndNothingIsAudited) {
+TEST_F(SearchStudy, WhereRunsFailHalfStepsKeepTheToleranceAndAuditsLeaveThemOut) {
   breaks = [](const mpm::Scene& s) {
     const double off = std::abs(std::remainder(s.impact_speed, 10));
     return off < 1e-6 && std::abs(s.impact_speed - critical_speed(s)) < 5;
