@@ -7,11 +7,10 @@
 
 namespace mpm::fast::MPM_ISA {
 
-/// Largest and smallest values of a sweep, lane by lane.
+/// Extremes as packs.
 template <class Real>
-struct Extremes {
-  Pack<Real> signal{}, low_dilation{}, high_dilation{}, high_pressure{}, low_node, high_node;
-  Pack<Real> finite{};  ///< 0, or not a number where a state is not finite
+struct ExtremePacks {
+  Pack<Real> signal, low_dilation, high_dilation, high_pressure, finite;
 };
 
 /// dt L of a pack: the gradient of the displacement over the step.
@@ -68,9 +67,10 @@ MPM_INLINE Strain<Real> strain_of(Pack<Real>* f, const Gradient<Real>& l, const 
 
 /// J2 plasticity: see material/strength/j2.hpp.
 template <class Real, Variant variant>
-MPM_INLINE void update_deviator(Pack<Real>* f, const Strain<Real>& e, const Constants<Real>& k) {
+MPM_INLINE void update_deviator(Pack<Real>* f, Pack<Real>* own, const Strain<Real>& e,
+                                const Constants<Real>& k) {
   using P = Pack<Real>;
-  Pack<Real>* const back_stress = f + variant.back_stress_xx();
+  Pack<Real>* const back_stress = own + 2;
   const P cc = e.cosine * e.cosine, ss = e.sine * e.sine, cs = e.cosine * e.sine, cs2 = cs + cs,
           double_cosine = cc - ss;
   const auto rotate = [&](P& xx, P& yy, P& xy_) {
@@ -99,7 +99,7 @@ MPM_INLINE void update_deviator(Pack<Real>* f, const Strain<Real>& e, const Cons
   }
   // q^2 = 3/2 s:s with s_zz = -(s_xx + s_yy)
   const P mises = square_root(3 * (rxx * rxx + ryy * ryy + rxx * ryy + rxy * rxy));
-  const P excess = larger(mises - (k.yield_stress + k.isotropic_modulus * f[variant.plastic_strain()]), P{});
+  const P excess = larger(mises - (k.yield_stress + k.isotropic_modulus * own[0]), P{});
   const P dp = excess * k.inverse_return;
   const P flow = mises > 0 ? Real(1.5) * dp / mises : P{};
   const P kept = 1 - twice * flow;
@@ -119,14 +119,14 @@ MPM_INLINE void update_deviator(Pack<Real>* f, const Strain<Real>& e, const Cons
     work = dp * (mises - (3 * k.shear_modulus + Real(0.5) * k.isotropic_modulus) * dp);
   }
   f[deviator_xx] = sxx, f[deviator_yy] = syy, f[deviator_xy] = sxy;
-  f[variant.plastic_strain()] += dp;
-  f[variant.plastic_work()] += work * (k.inverse_rho0 * (1 + f[Column::dilation]));
+  own[0] += dp;
+  own[1] += work * (k.inverse_rho0 * (1 + f[Column::dilation]));
 }
 
 /// Pressure, artificial viscosity and the fastest signal: see material/.
 template <class Real, Variant variant>
 MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Constants<Real>& k,
-                                Real inverse_dt, Extremes<Real>& extremes) {
+                                Real inverse_dt, ExtremePacks<Real>& extremes) {
   using P = Pack<Real>;
   // sound speed with the pressure of the last step, artificial viscosity
   const P dilation = f[Column::dilation], ratio = 1 + dilation, specific_volume = k.inverse_rho0 * ratio;
@@ -173,5 +173,67 @@ MPM_INLINE void update_pressure(Pack<Real>* f, const Strain<Real>& e, const Cons
   extremes.low_dilation = smaller(extremes.low_dilation, dilation);
   extremes.high_dilation = larger(extremes.high_dilation, dilation);
 }
+
+template <class Real, Variant variant>
+struct Constitutive {
+  using P = Pack<Real>;
+
+  static void update(Real* blocks, int count, int columns, int own, const Gradients<Real>& gradients,
+                     const Constants<Real>& constants, Real inverse_dt, Extremes<Real>& sums) {
+    const Constants<Real> k = constants;
+    auto* const first = reinterpret_cast<P*>(blocks);
+    const auto each_block = [&](auto&& work) __attribute__((always_inline)) {
+      P* f = first;
+      for (int b = 0; b < count; ++b, f += columns) work(f, b);
+    };
+    Strain<Real> strain[chunk_blocks];
+    each_block([&](P * f, int b) __attribute__((always_inline)) {
+      const auto* const l = reinterpret_cast<const P*>(gradients.of_block[b]);
+      strain[b] = strain_of<Real, variant>(f, {l[0], l[1], l[2], l[3]}, k);
+    });
+    each_block([&](P * f, int b) __attribute__((always_inline)) {
+      update_deviator<Real, variant>(f, f + own, strain[b], k);
+    });
+    const auto pack = [](Real * lanes) __attribute__((always_inline))->P& {
+      return *reinterpret_cast<P*>(lanes);
+    };
+    ExtremePacks<Real> extremes{pack(sums.signal), pack(sums.low_dilation), pack(sums.high_dilation),
+                                pack(sums.high_pressure), pack(sums.finite)};
+    each_block([&](P * f, int b) __attribute__((always_inline)) {
+      update_pressure<Real, variant>(f, strain[b], k, inverse_dt, extremes);
+    });
+    pack(sums.signal) = extremes.signal, pack(sums.finite) = extremes.finite;
+    pack(sums.low_dilation) = extremes.low_dilation, pack(sums.high_dilation) = extremes.high_dilation;
+    pack(sums.high_pressure) = extremes.high_pressure;
+  }
+
+  /// The mass beyond the equation of state. Most steps have none, so that it has a pass of its own.
+  static void add_what_is_beyond(const Band<Real>& band, const Constants<Real>& k, SweepReport& report) {
+    const auto* f = reinterpret_cast<const P*>(band.blocks);
+    for (std::size_t b = 0; b < band.count; ++b, f += band.columns)
+      for (int l = 0; l < Lanes<Real>::width; ++l) {
+        const Real dilation = f[Column::dilation][l];
+        if (f[Column::pressure][l] > k.pressure_limit) report.overpressed += f[initial_volume][l];
+        if (dilation < k.least_dilation || dilation >= k.most_dilation)
+          report.overstrained += f[initial_volume][l];
+      }
+  }
+
+  static void report(const Band<Real>& band, const Constants<Real>& k, const Extremes<Real>& extremes,
+                     SweepReport& report) {
+    bool beyond = false;
+    for (int l = 0; l < Lanes<Real>::width; ++l) {
+      const auto raise = [](double& most, double v) { most = v > most ? v : most; };
+      raise(report.largest_signal, extremes.signal[l]);
+      raise(report.largest_dilation, extremes.high_dilation[l]);
+      const double low = extremes.low_dilation[l];
+      report.smallest_dilation = low < report.smallest_dilation ? low : report.smallest_dilation;
+      report.broken |= extremes.finite[l] != 0;
+      beyond |= extremes.high_pressure[l] > k.pressure_limit || extremes.low_dilation[l] < k.least_dilation ||
+                extremes.high_dilation[l] >= k.most_dilation;
+    }
+    if (beyond) add_what_is_beyond(band, k, report);
+  }
+};
 
 }  // namespace mpm::fast::MPM_ISA

@@ -77,7 +77,8 @@ void FastStepper<Real>::begin(State& state) {
   }
   use(lowest * grid_->nodes().stride, highest * grid_->nodes().stride);
   blocks_->sort(grid_->nodes().rows);
-  for (const auto& range : blocks_->bands()) kernels_.scatter(band(range), grid_->nodes(), constants_);
+  for (const auto& range : blocks_->bands())
+    kernels_.transfers.scatter(band(range), grid_->nodes(), constants_);
 }
 
 /// Says where the particles are now.
@@ -92,7 +93,8 @@ void FastStepper<Real>::use(double lowest_node, double highest_node) {
 
 template <class Real>
 Band<Real> FastStepper<Real>::band(const typename Blocks<Real>::Range& range) {
-  return {blocks_->block(range.first), range.count, std::max(range.first_row - band_reach, 0),
+  return {blocks_->block(range.first), range.count, variant_.columns(),
+          std::max(range.first_row - band_reach, 0),
           std::min(range.last_row + band_reach, grid_->nodes().rows - 3)};
 }
 
@@ -106,7 +108,8 @@ SweepReport FastStepper<Real>::sweep(double dt) {
     team_.run((bands.size() + 1 - parity) / 2, [&, parity](std::size_t k) {
       SweepReport& own = reports_[2 * k + parity];
       own.lowest_node = std::numeric_limits<double>::infinity();
-      kernels_.sweep(band(bands[2 * k + parity]), grid_->nodes(), constants_, dt, own);
+      kernels_.transfers.sweep(band(bands[2 * k + parity]), grid_->nodes(), constants_, dt, kernels_.stress,
+                               own);
     });
 
   SweepReport sums{};
@@ -146,11 +149,11 @@ void FastStepper<Real>::move(Floor floor, double dt) {
     });
   };
   each_row([&](int first, int last) {
-    kernels_.collect(nodes, first, last);
+    kernels_.transfers.collect(nodes, first, last);
     grid_->reflect_sides(first, last);
   });
   if (floor == Floor::mirror && first_row_ == -1) grid_->reflect_floor();
-  each_row([&](int first, int last) { kernels_.move(nodes, first, last, dt); });
+  each_row([&](int first, int last) { kernels_.transfers.move(nodes, first, last, dt); });
   if (floor == Floor::impact_wall && first_row_ == -1) grid_->push_off_wall();
   moved_first_ = first_row_, moved_last_ = last_row_;
 }

@@ -5,12 +5,16 @@
 namespace mpm::fast {
 namespace baseline {
 template <class Real>
-Kernels<Real> kernels(const Variant&);
-}
+Transfers<Real> transfers(bool gimp);
+template <class Real>
+StressUpdate<Real> stress_update(const Variant&);
+}  // namespace baseline
 namespace avx2 {
 template <class Real>
-Kernels<Real> kernels(const Variant&);
-}
+Transfers<Real> transfers(bool gimp);
+template <class Real>
+StressUpdate<Real> stress_update(const Variant&);
+}  // namespace avx2
 
 bool supported(InstructionSet set) {
   switch (set) {
@@ -34,9 +38,9 @@ template <class Real>
 Kernels<Real> kernels_for(const Variant& v, InstructionSet set) {
   if (!supported(set)) throw std::logic_error("this processor lacks the instruction set");
 #if defined(MPM_KERNELS_AVX2)
-  if (set == InstructionSet::avx2) return avx2::kernels<Real>(v);
+  if (set == InstructionSet::avx2) return {avx2::transfers<Real>(v.gimp), avx2::stress_update<Real>(v)};
 #endif
-  return baseline::kernels<Real>(v);
+  return {baseline::transfers<Real>(v.gimp), baseline::stress_update<Real>(v)};
 }
 
 template Kernels<double> kernels_for(const Variant&, InstructionSet);

@@ -25,7 +25,8 @@ enum Column : int {
   common_columns,
 };
 
-/// What is compiled: each combination is a kernel of its own, so that what a scene lacks costs nothing.
+/// What is compiled. Transfers depend on `gimp` alone and stress updates on the rest, so that their numbers
+/// add up and do not multiply; what a scene lacks costs nothing.
 struct Variant {
   bool gimp;            ///< two more columns: half sizes of the domain [cells]
   bool plastic;         ///< two more columns: plastic strain [1], plastic work [J/kg]
@@ -90,6 +91,7 @@ template <class Real>
 struct Band {
   Real* blocks;
   std::size_t count;
+  int columns;  ///< of a block
   int first_row, last_row;
 };
 
@@ -104,16 +106,52 @@ struct SweepReport {
   bool broken;                       ///< a particle is not finite or left its rows
 };
 
+/// Blocks that go through the stages of a sweep together: so few that they stay in the first-level cache.
+inline constexpr int chunk_blocks = 8;
+
+/// Largest and smallest values of a sweep, lane by lane.
 template <class Real>
-struct Kernels {
+struct alignas(32) Extremes {
+  static constexpr int width = 32 / sizeof(Real);
+  Real signal[width] = {}, low_dilation[width] = {}, high_dilation[width] = {}, high_pressure[width] = {};
+  Real finite[width] = {};  ///< 0, or not a number where a state is not finite
+};
+
+/// dt L of the blocks of a chunk: the gradients of the displacement over the step, each xx, xy, yx, yy.
+template <class Real>
+struct alignas(32) Gradients {
+  static constexpr int width = 32 / sizeof(Real);
+  Real of_block[chunk_blocks][4][width];
+};
+
+/// The stress update of a material.
+template <class Real>
+struct StressUpdate {
+  /// New state of `count` <= chunk_blocks blocks, whose columns of the material begin at `own`.
+  void (*update)(Real* blocks, int count, int columns, int own, const Gradients<Real>&,
+                 const Constants<Real>&, Real inverse_dt, Extremes<Real>&);
+  /// Adds to the report what has become of a band.
+  void (*report)(const Band<Real>&, const Constants<Real>&, const Extremes<Real>&, SweepReport&);
+};
+
+/// The transfers, which depend on the shape function.
+template <class Real>
+struct Transfers {
   /// Particles to grid: adds mass, momentum and internal force of blocks to the sums.
   void (*scatter)(const Band<Real>&, const Nodes<Real>&, const Constants<Real>&);
   /// Grid to particles, stress, and particles to the sums of the next step, in one pass over the particles.
-  void (*sweep)(const Band<Real>&, const Nodes<Real>&, const Constants<Real>&, double dt, SweepReport&);
+  void (*sweep)(const Band<Real>&, const Nodes<Real>&, const Constants<Real>&, double dt,
+                const StressUpdate<Real>&, SweepReport&);
   /// Sums of rows [first, last] become mass, momentum and force, and are cleared.
   void (*collect)(const Nodes<Real>&, int first_row, int last_row);
   /// Momentum and force of rows [first, last] become motion. Nodes without mass stay at zero.
   void (*move)(const Nodes<Real>&, int first_row, int last_row, double dt);
+};
+
+template <class Real>
+struct Kernels {
+  Transfers<Real> transfers;
+  StressUpdate<Real> stress;
 };
 
 enum class InstructionSet { baseline, avx2 };

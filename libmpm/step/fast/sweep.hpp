@@ -3,30 +3,25 @@
 /// step. p2g needs no time step, so it can follow while the particle is at hand; walls and time step come in
 /// between, on the grid. A chunk of particles goes through a few loops that stay in the first-level cache:
 /// a pack's chain of operations is long in each, and the processor finds room for several packs at once.
-#include "libmpm/step/fast/constitutive.hpp"
 #include "libmpm/step/fast/transfer.hpp"
 
 namespace mpm::fast::MPM_ISA {
 
-inline constexpr int chunk_blocks = 8;
-
-template <class Real, Variant variant>
+template <class Real, bool gimp>
 struct Sweep {
   using P = Pack<Real>;
   static constexpr int width = Lanes<Real>::width;
-  static constexpr int columns = variant.columns();
+  static constexpr int half_size = Variant{}.half_size();
 
   struct Chunk {
     PackWeights<Real> weights[chunk_blocks];
-    Gradient<Real> gradient[chunk_blocks];
-    Strain<Real> strain[chunk_blocks];
     Place<Real> place[chunk_blocks];
   };
 
   static MPM_INLINE void weigh(const P* f, PackWeights<Real>& w) {
-    if constexpr (variant.gimp) {
-      gimp_axis<Real>(f[position_x], f[variant.half_size()], w.x, w.slope_x);
-      gimp_axis<Real>(f[position_y], f[variant.half_size() + 1], w.y, w.slope_y);
+    if constexpr (gimp) {
+      gimp_axis<Real>(f[position_x], f[half_size], w.x, w.slope_x);
+      gimp_axis<Real>(f[position_y], f[half_size + 1], w.y, w.slope_y);
     } else {
       bspline2_axis<Real>(f[position_x], w.x, w.slope_x);
       bspline2_axis<Real>(f[position_y], w.y, w.slope_y);
@@ -42,22 +37,24 @@ struct Sweep {
     }
   }
 
-  /// Motion and energy of a block from what it sees; the gradient of its displacement.
+  /// Motion and energy of a block from what it sees, and dt L, the gradient of its displacement: xx, xy, yx,
+  /// yy.
   template <Order order>
-  static MPM_INLINE Gradient<Real> advance(P* f, const Nodes<Real>& nodes, const Place<Real>& place,
-                                           const PackWeights<Real>& w, const Constants<Real>& k, Real dt,
-                                           P* sums) {
+  static MPM_INLINE void advance(P* f, const Nodes<Real>& nodes, const Place<Real>& place,
+                                 const PackWeights<Real>& w, const Constants<Real>& k, Real dt, P* sums,
+                                 P* gradient) {
     const Reader<Real, order> reader(nodes, f[node], place);
     const Seen<Real> vx = see(reader, motion_x, w), dvx = see(reader, change_x, w);
     const Seen<Real> vy = see(reader, motion_y, w), dvy = see(reader, change_y, w);
     const Real to_x = dt * k.inverse_cell_x, to_y = dt * k.inverse_cell_y;
-    const Gradient<Real> l{to_x * vx.along_x, to_y * vx.along_y, to_x * vy.along_x, to_y * vy.along_y};
+    const P xx = to_x * vx.along_x, xy = to_y * vx.along_y, yx = to_x * vy.along_x, yy = to_y * vy.along_y;
+    gradient[0] = xx, gradient[1] = xy, gradient[2] = yx, gradient[3] = yy;
 
     // work of the stress that made the forces, on the velocity in the middle of the step
     const Real half = 0.5;
     const P mean = f[Column::pressure] + f[viscous_pressure];
-    const P middle_xx = l.xx - (half * to_x) * dvx.along_x, middle_yy = l.yy - (half * to_y) * dvy.along_y;
-    const P middle_xy = (l.xy + l.yx) - ((half * to_y) * dvx.along_y + (half * to_x) * dvy.along_x);
+    const P middle_xx = xx - (half * to_x) * dvx.along_x, middle_yy = yy - (half * to_y) * dvy.along_y;
+    const P middle_xy = (xy + yx) - ((half * to_y) * dvx.along_y + (half * to_x) * dvy.along_x);
     const P power = (f[deviator_xx] - mean) * middle_xx + (f[deviator_yy] - mean) * middle_yy +
                     f[deviator_xy] * middle_xy;
     const P work = (k.inverse_rho0 * (1 + f[Column::dilation])) * power;
@@ -73,11 +70,10 @@ struct Sweep {
     sums[3] += f[initial_volume] * (f[velocity_x] * f[velocity_x] + f[velocity_y] * f[velocity_y]);
     f[position_x] += to_x * vx.value;
     f[position_y] += to_y * vy.value;
-    if constexpr (variant.gimp) {
-      f[variant.half_size()] *= 1 + l.xx;
-      f[variant.half_size() + 1] *= 1 + l.yy;
+    if constexpr (gimp) {
+      f[half_size] *= 1 + xx;
+      f[half_size + 1] *= 1 + yy;
     }
-    return l;
   }
 
   /// Particles that came nearer to another node belong to it from now on. Those that leave the grid or the
@@ -103,19 +99,6 @@ struct Sweep {
     return broken;
   }
 
-  /// The mass beyond the equation of state. Most steps have none, so that it has a pass of its own.
-  static void __attribute__((noinline))
-  add_what_is_beyond(const Band<Real>& band, const Constants<Real>& k, SweepReport& report) {
-    const auto* f = reinterpret_cast<const P*>(band.blocks);
-    for (std::size_t b = 0; b < band.count; ++b, f += columns)
-      for (int l = 0; l < width; ++l) {
-        const Real dilation = f[Column::dilation][l];
-        if (f[Column::pressure][l] > k.pressure_limit) report.overpressed += f[initial_volume][l];
-        if (dilation < k.least_dilation || dilation >= k.most_dilation)
-          report.overstrained += f[initial_volume][l];
-      }
-  }
-
   /// What the block gives to the grid.
   static MPM_INLINE void give(const P* f, const Nodes<Real>& nodes, const Place<Real>& place,
                               const PackWeights<Real>& w, const Constants<Real>& k) {
@@ -134,7 +117,7 @@ struct Sweep {
 
   static void scatter(const Band<Real>& band, const Nodes<Real>& nodes, const Constants<Real>& k) {
     const auto* f = reinterpret_cast<const P*>(band.blocks);
-    for (std::size_t b = 0; b < band.count; ++b, f += columns) {
+    for (std::size_t b = 0; b < band.count; ++b, f += band.columns) {
       PackWeights<Real> w;
       weigh(f, w);
       give(f, nodes, place_of<Real>(f[node]), w, k);
@@ -142,25 +125,31 @@ struct Sweep {
   }
 
   /// Asks for a block before it is needed. Behind the last one this does no harm.
-  static MPM_INLINE void prefetch(const P* block) {
-    for (int c = 0; c < columns; c += 64 / static_cast<int>(sizeof(P))) __builtin_prefetch(block + c, 1);
+  static MPM_INLINE void prefetch(const P* block, int columns) {
+    constexpr int per_line = 64 / static_cast<int>(sizeof(P)), sure = half_size + (gimp ? 2 : 0);
+#pragma GCC unroll 16
+    for (int c = 0; c < sure; c += per_line) __builtin_prefetch(block + c, 1);
+    for (int c = (sure + per_line - 1) / per_line * per_line; c < columns; c += per_line)
+      __builtin_prefetch(block + c, 1);
   }
 
   static void sweep(const Band<Real>& band, const Nodes<Real>& all_nodes, const Constants<Real>& constants,
-                    double time_step, SweepReport& report) {
+                    double time_step, const StressUpdate<Real>& stress, SweepReport& report) {
     const Nodes<Real> nodes = all_nodes;
     const Constants<Real> k = constants;
+    const int columns = band.columns;
     const Real dt = static_cast<Real>(time_step), inverse_dt = static_cast<Real>(1 / time_step);
     Extremes<Real> extremes;
-    extremes.low_node = extremes.high_node = reinterpret_cast<const P*>(band.blocks)[node];
+    P low_node = reinterpret_cast<const P*>(band.blocks)[node], high_node = low_node;
     double totals[4] = {};
     bool broken = false;
     std::int64_t out_of_step = 0;
     Chunk chunk;
+    Gradients<Real> gradients;
     for (std::size_t start = 0; start < band.count; start += chunk_blocks) {
       const int count =
           static_cast<int>(band.count - start < chunk_blocks ? band.count - start : chunk_blocks);
-      auto* const first = reinterpret_cast<P*>(band.blocks) + start * columns;
+      auto* const first = reinterpret_cast<P*>(band.blocks) + start * static_cast<std::size_t>(columns);
       const auto each_block = [&](auto&& update) __attribute__((always_inline)) {
         P* f = first;
         for (int b = 0; b < count; ++b, f += columns) update(f, b);
@@ -172,31 +161,27 @@ struct Sweep {
       });
       P sums[4] = {};
       each_block([&](P * f, int b) __attribute__((always_inline)) {
-        prefetch(f + chunk_blocks * columns);
+        prefetch(f + chunk_blocks * columns, columns);
         const Place<Real>& place = chunk.place[b];
         const PackWeights<Real>& w = chunk.weights[b];
-        chunk.gradient[b] = place.in_step() ? advance<Order::in_step>(f, nodes, place, w, k, dt, sums)
-                            : place.scattered()
-                                ? advance<Order::scattered>(f, nodes, place, w, k, dt, sums)
-                                : advance<Order::with_strays>(f, nodes, place, w, k, dt, sums);
+        auto* const gradient = reinterpret_cast<P*>(gradients.of_block[b]);
+        if (place.in_step())
+          advance<Order::in_step>(f, nodes, place, w, k, dt, sums, gradient);
+        else if (place.scattered())
+          advance<Order::scattered>(f, nodes, place, w, k, dt, sums, gradient);
+        else
+          advance<Order::with_strays>(f, nodes, place, w, k, dt, sums, gradient);
       });
-      each_block([&](P * f, int b) __attribute__((always_inline)) {
-        chunk.strain[b] = strain_of<Real, variant>(f, chunk.gradient[b], k);
-      });
-      each_block([&](P * f, int b) __attribute__((always_inline)) {
-        update_deviator<Real, variant>(f, chunk.strain[b], k);
-      });
-      each_block([&](P * f, int b) __attribute__((always_inline)) {
-        update_pressure<Real, variant>(f, chunk.strain[b], k, inverse_dt, extremes);
-      });
+      stress.update(reinterpret_cast<Real*>(first), count, columns, half_size + (gimp ? 2 : 0), gradients,
+                    constants, inverse_dt, extremes);
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         const P shift_x = rounded<Real>(f[position_x]), shift_y = rounded<Real>(f[position_y]);
         if (__builtin_expect(any((shift_x != 0) | (shift_y != 0)), 0)) {
           broken |= change_nodes(f, nodes, band.first_row, band.last_row);
           chunk.place[b] = place_of<Real>(f[node]);
         }
-        extremes.low_node = smaller(extremes.low_node, f[node]);
-        extremes.high_node = larger(extremes.high_node, f[node]);
+        low_node = smaller(low_node, f[node]);
+        high_node = larger(high_node, f[node]);
         weigh(f, chunk.weights[b]);
       });
       each_block([&](P * f, int b) __attribute__((always_inline)) {
@@ -212,20 +197,12 @@ struct Sweep {
     report.kinetic += 0.5 * totals[3];
     report.out_of_step += out_of_step;
     report.broken |= broken;
-    const Mask<Real> beyond = (extremes.high_pressure > k.pressure_limit) |
-                              (extremes.low_dilation < k.least_dilation) |
-                              (extremes.high_dilation >= k.most_dilation);
-    if (any(beyond)) add_what_is_beyond(band, k, report);
     for (int l = 0; l < width; ++l) {
-      const auto raise = [](double& most, double v) { most = v > most ? v : most; };
-      const auto lower = [](double& least, double v) { least = v < least ? v : least; };
-      raise(report.largest_signal, extremes.signal[l]);
-      raise(report.largest_dilation, extremes.high_dilation[l]);
-      raise(report.highest_node, extremes.high_node[l]);
-      lower(report.lowest_node, extremes.low_node[l]);
-      lower(report.smallest_dilation, extremes.low_dilation[l]);
-      report.broken |= extremes.finite[l] != 0;
+      const double low = low_node[l], high = high_node[l];
+      report.lowest_node = low < report.lowest_node ? low : report.lowest_node;
+      report.highest_node = high > report.highest_node ? high : report.highest_node;
     }
+    stress.report(band, constants, extremes, report);
   }
 };
 
