@@ -1,6 +1,6 @@
 #pragma once
 #include "libmpm/material/eos/temperature.hpp"
-#include "libmpm/simulation.hpp"
+#include "libmpm/observer.hpp"
 #include "libmpm/step/state.hpp"
 
 namespace mpm {

@@ -17,7 +17,7 @@
 /// written outside of that turn.
 #include <filesystem>
 
-#include "libmpm/simulation.hpp"
+#include "libmpm/observer.hpp"
 
 namespace mpm {
 

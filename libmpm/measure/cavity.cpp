@@ -19,9 +19,8 @@ constexpr double window = 0.25;  ///< share of the run that counts as its end
 
 }  // namespace
 
-Cavity::Cavity(const Scene& s, const State& state, Observer& observer)
-    : observer_(observer),
-      open_below_(s.kind == SceneKind::two_body_impact),
+Cavity::Cavity(const Scene& s, const State& state)
+    : open_below_(s.kind == SceneKind::two_body_impact),
       contour_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.cell_size,
                s.numerics.symmetry == Symmetry::half),
       void_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,
@@ -40,7 +39,7 @@ bool Cavity::joined_outside() const {
   return void_.joined_outside() || (open_below_ && void_.touches_wall());
 }
 
-void Cavity::sample(const State& s) {
+void Cavity::sample(const State& s, Observer& observer) {
   const AreaSample now{s.time, contour_.area(), void_.update(s)};
   if (now.void_area == 0 && closed_time_ < 0) closed_time_ = s.time;
   if (joined_outside() && joined_time_ < 0) joined_time_ = s.time;
@@ -58,11 +57,12 @@ void Cavity::sample(const State& s) {
     smallest_difference_ = std::abs(now.void_area - now.area);
   }
   history_.push_back(now);
-  observer_.on_area(now);
+  observer.on_area(now);
 }
 
-void Cavity::finish(const State& s, RunResult& result) {
-  const double start = (1 - window) * s.time;
+void Cavity::finish(const State& s, RunResult& result) const {
+  // the last sample, if a run that was stopped has none in the window
+  const double start = std::min((1 - window) * s.time, history_.back().time);
   const auto area_of = [this](const AreaSample& a) {
     return crossed_time_ >= 0 && a.time >= crossed_time_ ? a.void_area : a.area;
   };
@@ -111,7 +111,7 @@ void Cavity::finish(const State& s, RunResult& result) {
   jet_.finish(result);
   if (closed_time_ >= 0) m.push_back({"cavity_closed_time_s", closed_time_, "s", {}});
   if (joined_time_ >= 0) m.push_back({"cavity_joined_outside_time_s", joined_time_, "s", {}});
-  result.area_history = std::move(history_);
+  result.area_history = history_;
 }
 
 void Cavity::carry(Archive& a) {

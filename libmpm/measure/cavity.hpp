@@ -28,17 +28,16 @@ namespace mpm {
 /// seen), cavities_at_end; and those of Jet.
 class Cavity : public Measurement {
  public:
-  Cavity(const Scene&, const State&, Observer&);
+  Cavity(const Scene&, const State&);
   void after_step(const State&, const StepReport&, double dt) override;
   RowRange rows_read(const Grid& grid) const override { return contour_.rows(grid); }
-  void sample(const State&) override;
-  void finish(const State&, RunResult&) override;
+  void sample(const State&, Observer&) override;
+  void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
 
  private:
   bool joined_outside() const;
 
-  Observer& observer_;
   bool open_below_;  ///< no wall: what reaches the lowest row of the grid is the outside
   Contour contour_;
   VoidArea void_;

@@ -59,7 +59,7 @@ struct Ejection::Parts {
   std::size_t of(std::size_t particle) const { return static_cast<std::size_t>(connected.part[particle]); }
 };
 
-void Ejection::sample(const State& s) {
+void Ejection::sample(const State& s, Observer&) {
   Parts parts = parts_of(s.particles);
   find_ejecta(s, parts);
   if (verdict_ == Verdict::undecided) find_arrest(s, parts);
@@ -143,7 +143,7 @@ void Ejection::decide(Verdict verdict, double time, double margin) {
   margin_ = margin;
 }
 
-void Ejection::finish(const State&, RunResult& result) {
+void Ejection::finish(const State&, RunResult& result) const {
   result.outcome = verdict_ == Verdict::ejected    ? "ejected"
                    : verdict_ == Verdict::arrested ? "arrested"
                                                    : "undecided";

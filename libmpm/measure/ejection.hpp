@@ -27,8 +27,8 @@ class Ejection : public Measurement {
  public:
   Ejection(const Scene&, const State&);
   bool decided() const override { return stop_early_ && verdict_ != Verdict::undecided; }
-  void sample(const State&) override;
-  void finish(const State&, RunResult&) override;
+  void sample(const State&, Observer&) override;
+  void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
 
  private:

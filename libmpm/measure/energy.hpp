@@ -23,13 +23,15 @@ class Balance : public Measurement {
  public:
   explicit Balance(const State&);
   void after_step(const State&, const StepReport&, double dt) override;
-  void sample(const State&) override;
-  void finish(const State&, RunResult&) override;
+  void sample(const State&, Observer&) override;
+  void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
 
   double energy_error() const { return energy_error_; }
 
  private:
+  void look_at(const State&);
+
   double initial_energy_;
   Vec2 initial_momentum_;
   double momentum_scale_;

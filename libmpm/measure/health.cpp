@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "libmpm/measure/energy.hpp"
-#include "libmpm/scene/build.hpp"
 
 namespace mpm {
 namespace {
@@ -66,7 +65,7 @@ std::string_view advice(Health::Trouble trouble) {
 
 }  // namespace
 
-Health::Health(const Scene& scene, const State& s)
+Health::Health(const Scene& scene, const State& s, double speed)
     : initial_energy_(energy_of(s.particles).total()),
       mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
       pressure_limit_(scene.material.pressure_limit),
@@ -75,7 +74,7 @@ Health::Health(const Scene& scene, const State& s)
           largest_signal_growth *
           (std::sqrt(scene.material.bulk_sound_speed * scene.material.bulk_sound_speed +
                      4 * scene.material.shear_modulus() / (3 * scene.material.reference_density)) +
-           initial_speed(scene))) {}
+           speed)) {}
 
 void Health::after_step(const State&, const StepReport& report, double dt) {
   overstrained_mass_ = std::max(overstrained_mass_, report.overstrained_mass);
@@ -143,7 +142,7 @@ std::string Health::describe(Trouble trouble, const State& s, double energy_erro
   return text.str();
 }
 
-void Health::finish(const State&, RunResult& result) {
+void Health::finish(const State&, RunResult& result) const {
   result.metrics.push_back({"smallest_density_ratio", 1 / (1 + largest_dilation_), "1", {}});
   result.metrics.push_back({"largest_density_ratio", 1 / (1 + smallest_dilation_), "1", {}});
   result.metrics.push_back({"overstrained_mass_fraction", overstrained_mass_ / mass_, "1", {}});

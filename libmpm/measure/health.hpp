@@ -26,9 +26,10 @@ namespace mpm {
 /// (dt signal / h, with the signal at the end of the step).
 class Health : public Measurement {
  public:
-  Health(const Scene&, const State&);
+  /// `speed`: of the fastest part of the body at the start [m/s].
+  Health(const Scene&, const State&, double speed);
   void after_step(const State&, const StepReport&, double dt) override;
-  void finish(const State&, RunResult&) override;
+  void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
 
   enum class Trouble { none, not_finite, density, pressure, signal, time_step, growth, energy };

@@ -35,7 +35,7 @@ Spot hottest(const Particles& ps, const std::vector<double>& value) {
 
 }  // namespace
 
-void HotSpots::finish(const State& s, RunResult& result) {
+void HotSpots::finish(const State& s, RunResult& result) const {
   const Particles& ps = s.particles;
   std::vector<double> work(ps.size()), temperature(ps.size());
   for (std::size_t p = 0; p < ps.size(); ++p) {

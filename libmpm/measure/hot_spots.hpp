@@ -10,7 +10,7 @@ namespace mpm {
 class HotSpots : public Measurement {
  public:
   explicit HotSpots(Temperature t) : temperature_(t) {}
-  void finish(const State&, RunResult&) override;
+  void finish(const State&, RunResult&) const override;
   void carry(Archive&) override {}
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 #include "libmpm/measure/contour.hpp"
-#include "libmpm/simulation.hpp"
+#include "libmpm/result.hpp"
+#include "libmpm/scene/scene.hpp"
 
 namespace mpm {
 

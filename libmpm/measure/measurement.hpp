@@ -3,13 +3,16 @@
 #include <span>
 
 #include "libmpm/core/archive.hpp"
-#include "libmpm/simulation.hpp"
+#include "libmpm/observer.hpp"
+#include "libmpm/result.hpp"
+#include "libmpm/scene/scene.hpp"
 #include "libmpm/step/state.hpp"
 
 namespace mpm {
 
 /// One observable. Sees the state; changes nothing. Calls come in this order:
-///   after_step (every step), decided, sample (every area_every and at the end), finish (once).
+///   after_step (every step), decided, sample (every area_every and at the end).
+/// finish may be asked at any time.
 class Measurement {
  public:
   virtual ~Measurement() = default;
@@ -22,8 +25,10 @@ class Measurement {
   virtual RowRange rows_read(const Grid&) const { return {}; }
   /// True once nothing that is still to come can change what is measured: the run ends here.
   virtual bool decided() const { return false; }
-  virtual void sample(const State&) {}
-  virtual void finish(const State&, RunResult&) = 0;
+  /// Of the state, all particles are up to date. What is worth watching goes to the observer.
+  virtual void sample(const State&, Observer&) {}
+  /// Adds what was measured so far. All particles are up to date.
+  virtual void finish(const State&, RunResult&) const = 0;
   /// Everything that it keeps from one call to the next; what its constructor makes is there already.
   virtual void carry(Archive&) = 0;
 };

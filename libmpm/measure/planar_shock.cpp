@@ -107,7 +107,7 @@ double PlanarShock::stress_between(double elastic_level, double plastic_level) c
   return count > 0 ? sum / count : 0;
 }
 
-void PlanarShock::finish(const State&, RunResult& result) {
+void PlanarShock::finish(const State&, RunResult& result) const {
   if (times_.size() < 2) return;
   const std::size_t low = first_gauge_above(0.15 * height_), high = first_gauge_above(0.45 * height_),
                     watch = first_gauge_above(0.6 * height_);

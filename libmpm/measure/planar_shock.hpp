@@ -24,7 +24,7 @@ class PlanarShock : public Measurement {
   PlanarShock(const Scene&, const State&);
   void after_step(const State&, const StepReport&, double dt) override;
   std::span<const std::size_t> watched() const override { return watched_; }
-  void finish(const State&, RunResult&) override;
+  void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
 
  private:

@@ -57,7 +57,7 @@ RowRange Shell::rows_read(const Grid& grid) const { return rows_of(markers_, gri
 
 bool Shell::decided() const { return stop_ > 0 && times_.back() >= share_after_stop * times_[stop_]; }
 
-void Shell::finish(const State&, RunResult& result) {
+void Shell::finish(const State&, RunResult& result) const {
   const bool stopped = stop_ > 0 && stop_ + 1 < radii_.size();
   result.outcome = stopped ? "arrested" : "undecided";
   if (!stopped) return;

@@ -17,7 +17,7 @@ class Shell : public Measurement {
   void after_step(const State&, const StepReport&, double dt) override;
   RowRange rows_read(const Grid&) const override;
   bool decided() const override;
-  void finish(const State&, RunResult&) override;
+  void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
 
  private:

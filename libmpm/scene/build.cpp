@@ -2,70 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "libmpm/body/fill.hpp"
 
 namespace mpm {
 namespace {
 
-constexpr double everywhere = std::numeric_limits<double>::infinity();
-
-/// The region between two circles about the body's centre. A block with a cavity has no outer circle.
-struct Annulus {
-  double inner, outer;
-};
-
-/// What an annulus leaves of a rectangle.
-struct Remainder {
-  double fraction = 1;
-  Vec2 centroid;
-};
-
-/// The part of the vertical segment [bottom, top] that lies outside of [low, high]: length and first moment.
-struct Cut {
-  double length, moment;
-};
-Cut outside(double bottom, double top, double low, double high) {
-  const double a = std::clamp(low, bottom, top), b = std::clamp(high, bottom, top);
-  return {(a - bottom) + (top - b), 0.5 * ((a - bottom) * (a + bottom) + (top - b) * (top + b))};
-}
-
-double half_chord(double radius, double x) {
-  return std::abs(x) < radius ? std::sqrt(radius * radius - x * x) : 0;
-}
-
-/// Midpoint rule over thin vertical strips, exact in each strip's height. Coordinates are relative to the
-/// centre of the circles.
-Remainder remainder(const Vec2& center, const Vec2& size, const Annulus& kept) {
-  const double reach = 0.5 * size.norm(), distance = center.norm();
-  if (distance > kept.inner + reach && distance < kept.outer - reach) return {1, center};
-  if (distance < kept.inner - reach || distance > kept.outer + reach) return {0, center};
-  constexpr int strips = 64;
-  double area = 0, moment_x = 0, moment_y = 0;
-  for (int k = 0; k < strips; ++k) {
-    const double x = center.x() + size.x() * ((k + 0.5) / strips - 0.5);
-    const double hole = half_chord(kept.inner, x), body = half_chord(kept.outer, x);
-    const double bottom = std::clamp(center.y() - 0.5 * size.y(), -body, body);
-    const double top = std::clamp(center.y() + 0.5 * size.y(), -body, body);
-    const Cut c = outside(bottom, top, -hole, hole);
-    area += c.length;
-    moment_x += c.length * x;
-    moment_y += c.moment;
-  }
-  if (area == 0) return {0, center};
-  return {area / (strips * size.y()), Vec2(moment_x / area, moment_y / area)};
-}
-
-constexpr double smallest_fraction = 0.05;
-
-Annulus body_of(const Scene& s) {
+/// About the centre of the cavity or of the shell.
+Region region_of(const Scene& s) {
   switch (s.kind) {
     case SceneKind::planar_impact:
-      return {-everywhere, everywhere};
+      return everywhere();
     case SceneKind::cavity_impact:
     case SceneKind::two_body_impact:
-      return {s.cavity_radius, everywhere};
+      return everywhere() - disc({0, 0}, s.cavity_radius);
     case SceneKind::imploding_shell:
-      return {s.inner_radius, s.outer_radius};
+      return disc({0, 0}, s.outer_radius) - disc({0, 0}, s.inner_radius);
   }
   return {};
 }
@@ -120,27 +72,13 @@ Lattice lattice_of(const Scene& s) {
 State build_state(const Scene& s) {
   const Lattice l = lattice_of(s);
   const int side = static_cast<int>(std::lround(std::sqrt(s.numerics.particles_per_cell)));
-  const Vec2 share = l.cell / side;
-  const double share_area = share.x() * share.y();
-  const Annulus body = body_of(s);
-
-  State state{{}, Grid(l.origin, l.cell, l.columns), {}, 0, 0, Floor::impact_wall};
-  if (s.kind == SceneKind::imploding_shell && s.numerics.symmetry == Symmetry::half)
-    state.floor = Floor::mirror;
-  Particles& ps = state.particles;
-  ps.reserve(static_cast<std::size_t>(l.columns * l.rows * side * side));
-  for (int j = l.empty_rows * side; j < l.rows * side; ++j)
-    for (int i = 0; i < l.columns * side; ++i) {
-      const Vec2 center = l.origin + Vec2((i + 0.5) * share.x(), (j + 0.5) * share.y());
-      const Remainder r = remainder(center - l.center, share, body);
-      if (r.fraction < smallest_fraction) continue;
-      const double volume = r.fraction * share_area;
-      const Vec2 position = r.fraction == 1 ? center : Vec2(l.center + r.centroid);
-      ps.add(position, velocity_at(s, r.centroid, center.y()), s.material.reference_density * volume, volume,
-             0.5 * std::sqrt(r.fraction) * share);
-    }
-  if (s.material.kinematic_fraction > 0) ps.back_stress.resize(ps.size());
-  state.velocity_gradient.assign(ps.size(), Mat2::Zero());
+  const bool quarter = s.kind == SceneKind::imploding_shell && s.numerics.symmetry == Symmetry::half;
+  State state = empty_state(l.origin, l.cell, l.columns, quarter ? Floor::mirror : Floor::impact_wall);
+  state.particles.reserve(static_cast<std::size_t>(l.columns * l.rows * side * side));
+  const auto velocity = [&](const Vec2& x) { return velocity_at(s, x, l.center.y() + x.y()); };
+  fill_rows(state, {region_of(s), velocity, l.center}, s.material.reference_density, side, l.empty_rows,
+            l.rows);
+  if (s.material.kinematic_fraction > 0) state.particles.back_stress.resize(state.particles.size());
   return state;
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "libmpm/scene/scene.hpp"
 #include "libmpm/step/state.hpp"
 
@@ -23,6 +25,9 @@ Lattice lattice_of(const Scene&);
 /// twentieth are dropped.
 State build_state(const Scene&);
 MaterialModel build_material(const Scene&);
+/// What is wrong with a body that was made by hand, and with what a scene says of its material, numerics,
+/// measures and end.
+std::vector<Problem> find_problems(const Scene&, const State& body);
 /// Of the fastest part of the body [m/s].
 double initial_speed(const Scene&);
 

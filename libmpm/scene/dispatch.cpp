@@ -73,10 +73,9 @@ std::unique_ptr<Stepper> stepper_for(const Scene& s) {
   throw std::logic_error("a kernel that is not compiled");
 }
 
-std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene& s, const State& state,
-                                                           Observer& observer) {
+std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene& s, const State& state) {
   std::vector<std::unique_ptr<Measurement>> all;
-  if (has_cavity(s.kind)) all.push_back(std::make_unique<Cavity>(s, state, observer));
+  if (has_cavity(s.kind)) all.push_back(std::make_unique<Cavity>(s, state));
   if (has_cavity(s.kind) && s.measures.decides == Decides::ejection)
     all.push_back(std::make_unique<Ejection>(s, state));
   if (s.kind == SceneKind::planar_impact) all.push_back(std::make_unique<PlanarShock>(s, state));

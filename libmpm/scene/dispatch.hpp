@@ -12,6 +12,6 @@ namespace mpm {
 std::unique_ptr<Stepper> stepper_for(const Scene&);
 
 /// What a scene is measured by. The energy balance is always there and is not in this list.
-std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene&, const State&, Observer&);
+std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene&, const State&);
 
 }  // namespace mpm

@@ -28,6 +28,9 @@ class Report {
     if (q->unit != "1") value.append(" ").append(q->unit);
     problems_.push_back({std::string(name), std::move(value), std::move(allowed)});
   }
+  void add_other(std::string what, std::string value, std::string allowed) {
+    problems_.push_back({std::move(what), std::move(value), std::move(allowed)});
+  }
   void add_choice(std::string_view name, std::string allowed) {
     const Choice* c = find_choice(name);
     problems_.push_back({std::string(name), std::string(c->allowed[c->get(scene_)]), std::move(allowed)});
@@ -43,9 +46,10 @@ class Report {
   std::vector<Problem> problems_;
 };
 
-void check_ranges(const Scene& s, Report& report) {
+template <class Wanted>
+void check_ranges(const Scene& s, Report& report, const Wanted& wanted) {
   for (const Quantity& q : quantities()) {
-    if (!q.belongs_to(s.kind) || !q.alternative.empty()) continue;
+    if (!wanted(q) || !q.alternative.empty()) continue;
     const double v = q.get(s);
     // an infinite yield stress is an elastic body
     const bool finite = std::isfinite(v) || (q.name == "yield_stress" && v > 0);
@@ -120,7 +124,7 @@ void check_cavity(const Scene& s, Report& report) {
 /// More than a machine holds, or than anyone waits for, is a slip of the unit. In floating point, before any
 /// count of cells becomes an integer.
 void check_size(const Scene& s, Report& report) {
-  constexpr double most_particles = 1e9, most_steps = 1e9, most_samples = 1e6;
+  constexpr double most_particles = 1e9;
   const bool shell = s.kind == SceneKind::imploding_shell;
   const double width = shell ? 2 * s.outer_radius : s.block_width;
   const double bodies = s.kind == SceneKind::two_body_impact ? 2 : 1;
@@ -133,7 +137,11 @@ void check_size(const Scene& s, Report& report) {
   if (s.numerics.precision == Precision::single_precision)
     report.require(width / h * (height / h) <= 0x1p23, "cell_size",
                    "large enough for at most 2^23 cells when precision is \"float\"");
-  const double steps = s.end_time * s.material.bulk_sound_speed / (s.numerics.cfl * h);
+}
+
+void check_length(const Scene& s, Report& report) {
+  constexpr double most_steps = 1e9, most_samples = 1e6;
+  const double steps = s.end_time * s.material.bulk_sound_speed / (s.numerics.cfl * s.numerics.cell_size);
   report.require(steps <= most_steps, "end_time",
                  "short enough for at most 1e9 steps (these would be " + number(steps) + " or more)");
   report.require(s.measures.area_every * most_samples >= s.end_time, "area_every",
@@ -170,17 +178,72 @@ Numerics default_numerics(SceneKind kind) {
 
 std::vector<Problem> find_problems(const Scene& s) {
   Report report(s);
-  check_ranges(s, report);
+  check_ranges(s, report, [&](const Quantity& q) { return q.belongs_to(s.kind); });
   if (!report.empty()) return report.take();  // what follows compares numbers that have to be numbers
   check_numerics(s, report);
   check_choices(s, report);
   check_size(s, report);
+  check_length(s, report);
   if (s.kind == SceneKind::imploding_shell) {
     check_shell(s, report);
     return report.take();
   }
   check_block(s, report);
   if (has_cavity(s.kind)) check_cavity(s, report);
+  return report.take();
+}
+
+namespace {
+
+bool of_all_kinds(const Quantity& q) {
+  return std::ranges::all_of(scene_kind_names(),
+                             [&](std::string_view name) { return q.belongs_to(*scene_kind_from(name)); });
+}
+
+void check_body(const Scene& s, const State& body, Report& report) {
+  const Particles& ps = body.particles;
+  const std::size_t n = ps.size();
+  const auto require = [&](bool fine, std::string value, std::string allowed) {
+    if (!fine) report.add_other("body", std::move(value), std::move(allowed));
+  };
+  require(n > 0, "nothing", "a body of at least one particle");
+  for (const std::size_t size :
+       {ps.velocity.size(), ps.mass.size(), ps.initial_volume.size(), ps.dilation.size(), ps.energy.size(),
+        ps.pressure.size(), ps.viscous_pressure.size(), ps.deviator.size(), ps.plastic_strain.size(),
+        ps.plastic_work.size(), ps.half_size.size(), body.velocity_gradient.size(),
+        s.material.kinematic_fraction > 0 ? ps.back_stress.size() : n})
+    if (size != n)
+      return report.add_other("body", number(static_cast<double>(size)) + " values in a column",
+                              "one value for each of its " + number(static_cast<double>(n)) + " particles");
+  const Grid& grid = body.grid;
+  const Vec2 low = grid.origin() - 0.5 * grid.cell();
+  const double right = grid.origin().x() + (grid.columns() + 0.5) * grid.cell().x();
+  for (std::size_t p = 0; p < n; ++p) {
+    const Vec2& x = ps.position[p];
+    const bool inside = x.x() > low.x() && x.x() < right && x.y() > low.y() && std::isfinite(x.y());
+    const bool material = ps.mass[p] > 0 && ps.volume(p) > 0 && ps.velocity[p].allFinite();
+    if (inside && material) continue;
+    return report.add_other("body",
+                            "particle " + number(static_cast<double>(p)) + " at x = " + number(x.x()) +
+                                " m, y = " + number(x.y()) + " m",
+                            inside ? "of positive mass and volume, with a finite velocity"
+                                   : "in the grid, above its floor and between its sides");
+  }
+  const double ratio = s.numerics.cell_size / grid.cell().minCoeff();
+  report.require(ratio > 0.5 && ratio < 2, "cell_size",
+                 "about the smaller edge of the grid's cells (" + number(grid.cell().minCoeff()) + " m)");
+}
+
+}  // namespace
+
+std::vector<Problem> find_problems(const Scene& s, const State& body) {
+  Report report(s);
+  check_ranges(s, report, of_all_kinds);
+  if (!report.empty()) return report.take();
+  check_numerics(s, report);
+  check_choices(s, report);
+  check_length(s, report);
+  check_body(s, body, report);
   return report.take();
 }
 

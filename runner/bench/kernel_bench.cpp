@@ -4,13 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 
 #include "libmpm/core/thread_clock.hpp"
 #include "libmpm/mpm.hpp"
 #include "libmpm/scene/build.hpp"
-#include "libmpm/scene/dispatch.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -36,16 +34,13 @@ mpm::Scene strong_cavity(std::int64_t particles) {
 /// hardening: counted in the instructions that a run of 15000 particles executes. See PERFORMANCE.md.
 double operations(mpm::ShapeFunction scheme) { return scheme == mpm::ShapeFunction::gimp ? 712 : 658; }
 
-/// A run that can be taken further, piece by piece.
+/// A run that is taken further piece by piece, and measures nothing.
 class Walk {
  public:
   explicit Walk(const mpm::Scene& scene)
-      : scene_(scene),
-        state_(mpm::build_state(scene)),
-        stepper_(mpm::stepper_for(scene)),
-        particles_(state_.particles.size()) {
-    const double sound = 1.25 * scene.material.bulk_sound_speed;
-    signal_ = 3 * (sound + scene.impact_speed);
+      : reference_(scene.numerics.kernel == mpm::Kernel::reference),
+        simulation_(scene, mpm::build_state(scene)),
+        particles_(simulation_.state().particles.size()) {
     rate(0);  // the first step puts the particles in order
   }
   std::size_t particles() const { return particles_; }
@@ -58,7 +53,7 @@ class Walk {
                  ? mpm::thread_cpu_seconds()
                  : std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     };
-    stepper_->use_threads(threads);
+    simulation_.stepper().use_threads(threads);
     const double start = now();
     std::int64_t steps = 0;
     do {
@@ -71,36 +66,31 @@ class Walk {
   double rate_until(double time) {
     const double start = mpm::thread_cpu_seconds();
     std::int64_t steps = 0;
-    for (; state_.time < time && std::isfinite(signal_); ++steps) step();
-    if (!(state_.time >= time)) return 0;
+    for (; simulation_.time() < time && std::isfinite(simulation_.time_step()); ++steps) step();
+    if (!(simulation_.time() >= time)) return 0;
     return 1e-6 * static_cast<double>(steps) * static_cast<double>(particles_) /
            (mpm::thread_cpu_seconds() - start);
   }
 
-  mpm::StepTimes times() const { return stepper_->times(); }
+  mpm::StepTimes times() { return simulation_.stepper().times(); }
 
-  double bytes_per_particle() const {
-    const mpm::Particles& p = state_.particles;
+  double bytes_per_particle() {
+    const mpm::State& state = simulation_.state();
+    const mpm::Particles& p = state.particles;
     const std::size_t each = sizeof(p.position[0]) + sizeof(p.velocity[0]) + sizeof(p.half_size[0]) +
                              sizeof(p.deviator[0]) + 8 * sizeof(double) + sizeof(mpm::Mat2);
     const double beside =
-        scene_.numerics.kernel == mpm::Kernel::reference
-            ? static_cast<double>(each * particles_ + state_.grid.nodes().size() * sizeof(mpm::Node))
-            : static_cast<double>(stepper_->memory());
+        reference_ ? static_cast<double>(each * particles_ + state.grid.nodes().size() * sizeof(mpm::Node))
+                   : static_cast<double>(simulation_.stepper().memory());
     return beside / static_cast<double>(particles_);
   }
 
  private:
-  void step() {
-    signal_ =
-        stepper_->step(state_, scene_.numerics.cfl * state_.grid.cell().minCoeff() / signal_).largest_signal;
-  }
+  void step() { simulation_.step(simulation_.time_step()); }
 
-  mpm::Scene scene_;
-  mpm::State state_;
-  std::unique_ptr<mpm::Stepper> stepper_;
+  bool reference_;
+  mpm::Simulation simulation_;
   std::size_t particles_;
-  double signal_;
 };
 
 double median(std::vector<double> values) {
@@ -147,7 +137,7 @@ KernelBench bench_kernel(const KernelBenchOptions& options) {
           r.to_reference.push_back(r.fast.back() / reference_rates.back());
         }
       }
-      const auto row = [&](const char* kernel, std::size_t precision, const Walk& walk, double rate) {
+      const auto row = [&](const char* kernel, std::size_t precision, Walk& walk, double rate) {
         KernelBenchRow r;
         r.scheme = schemes.allowed[scheme];
         r.kernel = kernel;

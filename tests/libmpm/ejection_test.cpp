@@ -80,9 +80,10 @@ std::string verdict_on_bit(double height, double speed, double lowest_speed, dou
   fill(0, 0.2e-6, height - 0.2e-6, height - 0.1e-6, lowest_speed);
   fill(0, 0.2e-6, height - 0.1e-6, height + 0.2e-6, speed);
   mpm::Ejection ejection(s, state);
+  mpm::Observer nobody;
   for (int k = 0; k * 0.1e-9 <= watched; ++k) {
     state.time = k * 0.1e-9;
-    ejection.sample(state);
+    ejection.sample(state, nobody);
   }
   mpm::RunResult result;
   ejection.finish(state, result);

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 struct HealthTest : testing::Test {
   mpm::Scene scene = scenes::cavity(0.2e-6);
   mpm::State state = mpm::build_state(scene);
-  Health health{scene, state};
+  Health health{scene, state, scene.impact_speed};
   mpm::StepReport report = [] {
     mpm::StepReport r;
     r.largest_signal = 7000;

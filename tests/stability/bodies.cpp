@@ -1,6 +1,9 @@
 #include "tests/stability/bodies.hpp"
 
 #include <sstream>
+#include <utility>
+
+#include "libmpm/mpm.hpp"
 
 namespace stability {
 
@@ -17,12 +20,14 @@ mpm::Scene frame(double speed, double cell, double end_time) {
 }
 
 mpm::State nothing(mpm::Vec2 low, mpm::Vec2 cell, int columns) {
-  return {{}, mpm::Grid(low, cell, columns), {}, 0, 0, mpm::Floor::impact_wall};
+  return mpm::empty_state(low, cell, columns);
 }
 
 mpm::RunResult go(const mpm::Scene& scene, mpm::State& state) {
-  mpm::Observer nobody;
-  return mpm::run_state(scene, state, {}, nobody);
+  mpm::Simulation simulation(scene, std::move(state));
+  const mpm::RunResult result = simulation.run();
+  state = simulation.state();
+  return result;
 }
 
 Outcome also(Outcome o, bool fine, const std::string& note) {

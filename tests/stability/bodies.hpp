@@ -3,7 +3,6 @@
 #include <string>
 
 #include "libmpm/scene/build.hpp"
-#include "libmpm/scene/run.hpp"
 #include "tests/stability/case.hpp"
 
 namespace stability {
@@ -31,7 +30,7 @@ void fill(mpm::State& s, const mpm::Scene& scene, mpm::Vec2 low, mpm::Vec2 size,
   s.velocity_gradient.assign(s.particles.size(), mpm::Mat2::Zero());
 }
 
-/// To the scene's end.
+/// To the scene's end, where it leaves the state.
 mpm::RunResult go(const mpm::Scene&, mpm::State&);
 
 /// The run held, and so did what the case asks beside it.

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "libmpm/measure/energy.hpp"
-#include "libmpm/scene/dispatch.hpp"
+#include "libmpm/mpm.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "tests/stability/bodies.hpp"
 
@@ -119,20 +118,18 @@ struct Wave {
   }
   /// The kinetic energy of the shiver grows without end in 600 steps of this length [h/c].
   bool grows(double step) const {
-    mpm::State s = state();
-    const auto stepper = mpm::stepper_for(scene);
+    mpm::Simulation simulation(scene, state());
     const auto shiver = [&] {
       double sum = 0;
-      for (const Vec2& v : s.particles.velocity) sum += (v - Vec2(0, drift * sound())).squaredNorm();
+      for (const Vec2& v : simulation.state().particles.velocity)
+        sum += (v - Vec2(0, drift * sound())).squaredNorm();
       return sum;
     };
     const double before = shiver();
     for (int k = 0; k < 600; ++k) {
-      const auto report = stepper->step(s, step * scene.numerics.cell_size / sound());
-      if (!std::isfinite(report.largest_signal) || k % 20 == 19) {
-        stepper->refresh_particles(s);
+      const auto report = simulation.step(step * scene.numerics.cell_size / sound());
+      if (!std::isfinite(report.largest_signal) || k % 20 == 19)
         if (!(shiver() < 10 * before)) return true;
-      }
     }
     return false;
   }

@@ -44,13 +44,14 @@ BarMotion vibrate(mpm::ShapeFunction shape, int cells, int side) {
       const double x = (i + 0.5) * share;
       bar.add({x, (j + 0.5) * share}, {exact.initial_velocity(x), 0}, share * share, share / 2);
     }
-  const double mass = bar.mass();
   const int steps = static_cast<int>(std::ceil(end * solid.longitudinal_speed() / (0.3 * cell)));
   return with_shape(shape, [&]<class Shape>() {
+    bar.begin<Shape>({rows, true});
+    const double mass = bar.mass();
     double square = 0;
     Turns turns;
     for (int k = 0; k < steps; ++k) {
-      bar.step<Shape>(end / steps, rows, true, no_force);
+      bar.step(end / steps);
       const double t = bar.time() - end / steps / 2;  // velocities belong to the middle of the step
       const double v = bar.momentum().x() / mass;
       square += std::pow((v - exact.mean_velocity(t)) / exact.largest_mean_velocity(), 2);
@@ -75,12 +76,13 @@ Collision collide(mpm::ShapeFunction shape, int cells, int side) {
           way.push_back(w);
         }
     }
-  const double before = disks.kinetic_energy(), mass = disks.mass();
   const double dt = 0.3 * cell / solid.longitudinal_speed();
   return with_shape(shape, [&]<class Shape>() {
+    disks.begin<Shape>({cells / 4 * 5 + 2});
+    const double before = disks.kinetic_energy(), mass = disks.mass();
     Collision c{0, 0, 0, 1, 0};
     while (disks.time() < end) {
-      disks.step<Shape>(dt, cells / 4 * 5 + 2, false, no_force);
+      disks.step(dt);
       const double kinetic = disks.kinetic_energy();
       c.least_kinetic = std::min(c.least_kinetic, kinetic / before);
       c.momentum_error = std::max(c.momentum_error, disks.momentum().norm() / std::sqrt(before * mass));

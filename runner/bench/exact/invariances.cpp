@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "libmpm/scene/build.hpp"
-#include "libmpm/step/step.hpp"
 #include "runner/bench/exact/problems.hpp"
 #include "runner/bench/exact/scenes.hpp"
 #include "runner/bench/exact/with_options.hpp"
-#include "runner/bench/exact/with_shape.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -47,12 +46,12 @@ class Block {
 
   /// Equal steps, so that all descriptions are compared at the same times.
   mpm::Particles after_impact(mpm::State s) const {
-    const mpm::MaterialModel material = mpm::build_material(scene_);
+    mpm::Scene plain = scene_;
+    plain.numerics.kernel = mpm::Kernel::reference;
     const int steps = static_cast<int>(std::lround(scene_.end_time / (4e-12 * cell / 0.1e-6)));
-    with_shape(scene_.numerics.scheme, [&]<class Shape>() {
-      for (int k = 0; k < steps; ++k) mpm::reference_step<Shape>(s, material, scene_.end_time / steps);
-    });
-    return s.particles;
+    mpm::Simulation simulation(plain, std::move(s));
+    for (int k = 0; k < steps; ++k) simulation.step(scene_.end_time / steps);
+    return simulation.state().particles;
   }
 
   const double cell;

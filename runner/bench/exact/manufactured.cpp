@@ -17,12 +17,13 @@ mpm::Vec2 to(const mpm::exact::Vector& v) { return {v.x, v.y}; }
 
 /// Root mean square over the particles of |x - exact|; infinite if one of them is lost.
 template <class Solution>
-double error_now(const NeoHookeanBody& body, const Solution& solution) {
+double error_now(NeoHookeanBody& body, const Solution& solution) {
   const mpm::Grid& g = body.grid();
+  const mpm::Particles& ps = body.particles();
   const auto& initial = body.initial();
   double sum = 0;
   for (std::size_t p = 0; p < initial.size(); ++p) {
-    const mpm::Vec2& x = body.particles().position[p];
+    const mpm::Vec2& x = ps.position[p];
     const mpm::Vec2 cells = (x - g.origin()).cwiseProduct(g.inverse_cell());
     if (!(cells.minCoeff() >= 0 && cells.maxCoeff() <= g.columns()))
       return std::numeric_limits<double>::infinity();
@@ -56,9 +57,10 @@ double drive(const Manufactured& m, const Solution& solution, double end, const 
     return mpm::Vec2(sum / (n * n));
   };
   return with_shape(m.shape, [&]<class Shape>() {
+    body.begin<Shape>({columns, mirror_at_top, force});
     double error = 0;
     for (int k = 0; k < steps && std::isfinite(error); ++k) {
-      body.step<Shape>(dt, columns, mirror_at_top, force);
+      body.step(dt);
       error = std::max(error, error_now(body, solution));
     }
     return error / m.amplitude;

@@ -1,4 +1,5 @@
-# Installs the build into an empty prefix, builds a project that only knows the prefix, and runs it.
+# Installs the build into an empty prefix, moves that elsewhere, builds a project that only knows where it is now,
+# and runs it, and the program.
 file(REMOVE_RECURSE ${WORK})
 function(run_or_fail)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
@@ -10,8 +11,20 @@ endfunction()
 if(FLAGS)
   set(sanitize "-DCMAKE_CXX_FLAGS=-fsanitize=${FLAGS}")
 endif()
-run_or_fail(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-run_or_fail(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/prefix
+run_or_fail(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
+file(RENAME ${WORK}/installed ${WORK}/moved)
+
+file(GLOB_RECURSE package ${WORK}/moved/*.cmake)
+foreach(file IN LISTS package)
+  file(STRINGS ${file} paths REGEX "[; \"](/usr/|/lib|/opt/|${WORK}|${BUILD})")
+  if(paths)
+    message(FATAL_ERROR "${file} holds paths of this machine:\n${paths}")
+  endif()
+endforeach()
+
+run_or_fail(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${WORK}/moved
             -DEXAMPLE=${EXAMPLE} ${sanitize})
 run_or_fail(${CMAKE_COMMAND} --build ${WORK}/build)
 run_or_fail(${WORK}/build/consumer)
+run_or_fail(${WORK}/build/own_matrix)
+run_or_fail(${WORK}/moved/bin/mpmstudy --version)

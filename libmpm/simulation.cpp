@@ -1,0 +1,309 @@
+#include "libmpm/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libmpm/core/errors.hpp"
+#include "libmpm/io/snapshot.hpp"
+#include "libmpm/measure/energy.hpp"
+#include "libmpm/measure/health.hpp"
+#include "libmpm/scene/build.hpp"
+#include "libmpm/scene/dispatch.hpp"
+
+namespace mpm {
+namespace {
+
+/// Times at which something is due: samples of the area and snapshots, in order, each once.
+class Schedule {
+ public:
+  explicit Schedule(const Scene& s)
+      : end_(s.end_time), period_(s.measures.area_every), times_(s.measures.snapshots) {}
+
+  double next() const {
+    const double next = std::min(next_sample(), next_snapshot());
+    return next < end_ - slack() ? next : end_;
+  }
+  /// True if due at time t; moves on.
+  bool sample_due(double t) { return t >= next_sample() - slack() && (++samples_, true); }
+  bool snapshot_due(double t) { return t >= next_snapshot() - slack() && (++snapshots_, true); }
+  /// Leaves out what was due up to time t.
+  void pass(double t) {
+    while (sample_due(t)) {
+    }
+    while (snapshot_due(t)) {
+    }
+  }
+  void carry(Archive& a) { a.integer("samples", samples_), a.integer("snapshots", snapshots_); }
+
+ private:
+  /// Events that rounding sets apart (0.7 ns, and 7 times 0.1 ns) are one.
+  double slack() const { return 1e-9 * period_; }
+  double next_sample() const { return samples_ * period_; }
+  double next_snapshot() const {
+    return snapshots_ < times_.size() ? times_[snapshots_] : std::numeric_limits<double>::infinity();
+  }
+  double end_, period_;
+  std::vector<double> times_;
+  std::size_t samples_ = 0, snapshots_ = 0;
+};
+
+void refuse(const std::vector<Problem>& problems) {
+  if (problems.empty()) return;
+  std::string text;
+  for (const Problem& p : problems)
+    text += (text.empty() ? "" : "\n") + p.parameter + " = " + p.value + ": must be " + p.allowed;
+  throw InputError(text);
+}
+
+State checked_state(const Scene& scene) {
+  refuse(find_problems(scene));
+  return build_state(scene);
+}
+
+/// With the columns that the scene has and the body may leave out.
+State checked_body(const Scene& scene, State body) {
+  const std::size_t n = body.particles.size();
+  if (body.velocity_gradient.empty()) body.velocity_gradient.assign(n, Mat2::Zero());
+  if (scene.material.kinematic_fraction > 0 && body.particles.back_stress.empty())
+    body.particles.back_stress.resize(n);
+  refuse(find_problems(scene, body));
+  return body;
+}
+
+double fastest(const Particles& ps) {
+  double square = 0;
+  for (const Vec2& v : ps.velocity) square = std::max(square, v.squaredNorm());
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+struct Simulation::Parts {
+  Parts(const Scene& s, State body, double speed)
+      : scene(s),
+        state(std::move(body)),
+        material(build_material(s)),
+        stepper(stepper_for(s)),
+        temperature{material.eos, s.material.specific_heat, s.material.initial_temperature},
+        balance(state),
+        health(s, state, speed),
+        schedule(s) {
+    // Before the first step nothing is stressed: the fastest signal is that of the impact, with its
+    // viscosity.
+    const double sound = std::sqrt(material.eos.sound_speed_squared(MieGrueneisen::Volume(0), 0) +
+                                   4 * material.strength.shear_modulus / (3 * material.eos.rho0));
+    signal = 3 * (sound + speed);
+  }
+
+  bool decided() const {
+    return std::ranges::any_of(measurements, [](const auto& m) { return m->decided(); });
+  }
+  bool over() const { return stopped || failed() || state.time >= scene.end_time || decided(); }
+  bool failed() const { return trouble != Health::Trouble::none; }
+  double time_step() const { return scene.numerics.cfl * state.grid.cell().minCoeff() / signal; }
+
+  void begin(Observer&);
+  void carry(Archive);
+  void sample(Observer&);
+  void observe(Observer&);
+  StepReport advance(double dt, std::optional<double> due);
+  void step(Observer&);
+  RunResult result();
+
+  Scene scene;
+  State state;
+  MaterialModel material;
+  std::unique_ptr<Stepper> stepper;
+  Temperature temperature;
+  std::vector<std::unique_ptr<Measurement>> measurements;
+  Balance balance;
+  Health health;
+  Schedule schedule;
+  double signal;  ///< the fastest [m/s]
+  Health::Trouble trouble = Health::Trouble::none;
+  std::string reason;
+  bool begun = false, stopped = false;
+};
+
+void Simulation::Parts::begin(Observer& observer) {
+  if (std::exchange(begun, true)) return;
+  if (Record* record = observer.resume_from())
+    carry(Archive::from(*record));
+  else
+    observe(observer);
+}
+
+void Simulation::Parts::carry(Archive a) {
+  const auto part = [&](const std::string& name, auto& what) {
+    Archive inside = a.part(name);
+    what.carry(inside);
+  };
+  Archive steps = a.part("stepper");
+  stepper->carry(state, steps);
+  a.number("time", state.time), a.integer("step", state.step), a.number("signal", signal);
+  part("balance", balance), part("health", health), part("schedule", schedule);
+  for (std::size_t i = 0; i < measurements.size(); ++i)
+    part("measurement-" + std::to_string(i), *measurements[i]);
+}
+
+void Simulation::Parts::sample(Observer& observer) {
+  balance.sample(state, observer);
+  for (const auto& m : measurements) m->sample(state, observer);
+}
+
+void Simulation::Parts::observe(Observer& observer) {
+  const bool sample_now = schedule.sample_due(state.time) || state.time >= scene.end_time;
+  const bool snapshot = schedule.snapshot_due(state.time);
+  if (sample_now || snapshot) stepper->refresh_particles(state);
+  if (sample_now) sample(observer);
+  if (snapshot) observer.on_snapshot(snapshot_of(state, temperature));
+}
+
+/// One step, and the measurements that look at every step. Where it ends at `due`, it does to the last bit.
+StepReport Simulation::Parts::advance(double dt, std::optional<double> due) {
+  const StepReport report = stepper->step(state, dt);
+  if (due) state.time = *due;
+  signal = report.largest_signal;
+  balance.after_step(state, report, dt);
+  health.after_step(state, report, dt);
+  for (const auto& m : measurements) {
+    stepper->refresh_particles(state, m->watched());
+    const RowRange rows = m->rows_read(state.grid);
+    stepper->refresh_nodes(state, rows.first, rows.last);
+    m->after_step(state, report, dt);
+  }
+  return report;
+}
+
+void Simulation::Parts::step(Observer& observer) {
+  // Equal steps up to the next event, so that it is hit exactly and no step is tiny.
+  const double due = schedule.next();
+  const double steps = std::max(std::ceil((due - state.time) / time_step()), 1.0);
+  const double dt = (due - state.time) / steps;
+  stepper->use_threads(observer.threads());
+  advance(dt, steps == 1 ? std::optional(due) : std::nullopt);
+  trouble = health.trouble(balance.energy_error());
+  if (failed()) {
+    stepper->refresh_particles(state);
+    reason = health.describe(trouble, state, balance.energy_error());
+    observer.on_snapshot(snapshot_of(state, temperature));  // to look at what went wrong
+    return;
+  }
+  observe(observer);
+  if (observer.wants_checkpoint()) {
+    Record record;
+    carry(Archive::to(record));
+    observer.on_checkpoint(record);
+  }
+  stopped = !observer.on_step(
+      {state.step, state.time, scene.end_time, dt, static_cast<std::int64_t>(state.particles.size())});
+  if (stopped) reason = "stopped by the observer";
+  if (!over()) return;
+  stepper->refresh_particles(state);
+  if (state.time < scene.end_time)
+    for (const auto& m : measurements) m->sample(state, observer);
+}
+
+RunResult Simulation::Parts::result() {
+  RunResult r;
+  r.particles = static_cast<std::int64_t>(state.particles.size());
+  r.steps = state.step;
+  r.helper_seconds = stepper->helper_seconds();
+  r.reason = reason;
+  if (failed()) {
+    r.status = RunStatus::failed;
+    r.energy_error = balance.energy_error();
+    health.finish(state, r);
+    return r;
+  }
+  r.status = over() && !stopped ? RunStatus::done : RunStatus::stopped;
+  if (r.status == RunStatus::stopped && !stopped) r.reason = "its end is not reached";
+  stepper->refresh_particles(state);
+  for (const auto& m : measurements) m->finish(state, r);
+  balance.finish(state, r);
+  health.finish(state, r);
+  return r;
+}
+
+Simulation::Simulation(const Scene& scene)
+    : parts_(std::make_unique<Parts>(scene, checked_state(scene), initial_speed(scene))) {
+  parts_->measurements = measurements_for(scene, parts_->state);
+}
+
+Simulation::Simulation(const Scene& scene, State body) {
+  State state = checked_body(scene, std::move(body));
+  const double speed = fastest(state.particles);
+  parts_ = std::make_unique<Parts>(scene, std::move(state), speed);
+}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::use(std::unique_ptr<Stepper> stepper) {
+  if (parts_->begun) throw std::logic_error("the stepper of a simulation that has begun cannot be changed");
+  parts_->stepper = std::move(stepper);
+}
+
+void Simulation::add(std::unique_ptr<Measurement> measurement) {
+  if (parts_->begun) throw std::logic_error("a simulation that has begun takes no more measurements");
+  parts_->measurements.push_back(std::move(measurement));
+}
+
+bool Simulation::step(Observer& observer) {
+  parts_->begin(observer);
+  if (parts_->over()) return false;
+  parts_->step(observer);
+  return !parts_->over();
+}
+
+bool Simulation::step() {
+  Observer silent;
+  return step(silent);
+}
+
+StepReport Simulation::step(double dt) {
+  Observer silent;
+  parts_->begin(silent);
+  const StepReport report = parts_->advance(dt, std::nullopt);
+  parts_->schedule.pass(parts_->state.time);
+  return report;
+}
+
+RunResult Simulation::run(Observer& observer) {
+  while (step(observer)) {
+  }
+  return result();
+}
+
+RunResult Simulation::run() {
+  Observer silent;
+  return run(silent);
+}
+
+double Simulation::time_step() const { return parts_->time_step(); }
+
+const State& Simulation::state() {
+  State& s = parts_->state;
+  parts_->stepper->refresh_particles(s);
+  double highest = s.grid.origin().y();
+  for (const Vec2& x : s.particles.position) highest = std::max(highest, x.y());
+  const double rows = (highest - s.grid.origin().y()) * s.grid.inverse_cell().y();
+  parts_->stepper->refresh_nodes(s, -Grid::ghosts, static_cast<int>(rows) + Grid::ghosts);
+  return s;
+}
+
+double Simulation::time() const { return parts_->state.time; }
+Stepper& Simulation::stepper() { return *parts_->stepper; }
+RunResult Simulation::result() { return parts_->result(); }
+
+RunResult run(const Scene& scene, Observer& observer) { return Simulation(scene).run(observer); }
+RunResult run(const Scene& scene) { return Simulation(scene).run(); }
+
+}  // namespace mpm
