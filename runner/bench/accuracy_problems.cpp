@@ -1,10 +1,10 @@
 #include <cmath>
 #include <limits>
 
-#include "libmpm/exact/elastic_plastic_impact.hpp"
-#include "libmpm/exact/lagrangian_1d.hpp"
+#include "libmpm/verification/exact/elastic_plastic_impact.hpp"
+#include "libmpm/verification/exact/lagrangian_1d.hpp"
+#include "libmpm/verification/problems/scenes.hpp"
 #include "runner/bench/accuracy_bench.hpp"
-#include "runner/bench/exact/scenes.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -12,6 +12,8 @@ namespace {
 constexpr double um = 1e-6, ns = 1e-9;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+namespace exact = mpm::verification::exact;
+namespace scenes = mpm::verification::scenes;
 using scenes::metric;
 
 AccuracyProblem planar(const char* name, const char* what, double speed, double exact) {
@@ -35,8 +37,8 @@ AccuracyProblem shell() {
           [](const mpm::RunResult& r) { return metric(r, "stop_radius_m"); },
           [s] {
             constexpr int shells = 120;
-            return mpm::exact::compressible_shell_stop(scenes::exact_solid(s.material), s.inner_radius,
-                                                       s.outer_radius, s.inner_speed, shells)
+            return exact::compressible_shell_stop(scenes::exact_solid(s.material), s.inner_radius,
+                                                  s.outer_radius, s.inner_speed, shells)
                 .radius;
           }};
 }
@@ -71,7 +73,7 @@ AccuracyProblem strong_collapse() {
 
 std::vector<AccuracyProblem> accuracy_problems() {
   const auto exact = [](double speed) {
-    return mpm::exact::elastic_plastic_impact(scenes::exact_solid(mpm::named_material("aluminium")), speed);
+    return exact::elastic_plastic_impact(scenes::exact_solid(mpm::named_material("aluminium")), speed);
   };
   const auto weak = exact(200), strong = exact(1120);
   return {planar("planar-1120-stress", "shock_normal_stress_Pa", 1120, strong.normal_stress),

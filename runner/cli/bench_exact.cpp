@@ -12,6 +12,9 @@
 #include "runner/study/readable.hpp"
 
 namespace mpmstudy {
+
+using namespace mpm::verification;
+
 namespace {
 
 std::string_view word(Judged judged) {

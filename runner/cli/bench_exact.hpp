@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "runner/bench/exact/exact_bench.hpp"
+#include "libmpm/verification/problems/exact_bench.hpp"
 #include "runner/cli/cli.hpp"
 
 namespace mpmstudy {
 
 struct BenchExactOptions {
   std::vector<std::string> problems;  ///< names; empty: all
-  ExactOptions exact;
+  mpm::verification::ExactOptions exact;
   std::string scheme;          ///< as study files write it; empty: the default of each scene
   int particles_per_cell = 0;  ///< 0: the default of each scene
   unsigned workers = 1;

@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-#include "runner/bench/exact/invariances.hpp"
+#include "libmpm/verification/problems/invariances.hpp"
 #include "tests/libmpm/scenes.hpp"
 
 namespace {
 
-using mpmstudy::differing_when_scaled;
+using mpm::verification::differing_when_scaled;
 using testing::IsEmpty;
 
 TEST(Scale, WeakCollapse) { EXPECT_THAT(differing_when_scaled(scenes::cavity(0.2e-6), 1024), IsEmpty()); }

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "libmpm/exact/hugoniot.hpp"
 #include "libmpm/measure/connected.hpp"
 #include "libmpm/measure/ejection.hpp"
+#include "libmpm/verification/exact/hugoniot.hpp"
 #include "tests/libmpm/scenes.hpp"
 
 namespace {
@@ -50,9 +50,10 @@ TEST(ConnectedParts, AreThoseOfAllPairs) {
 
 // The threshold of ejection: a planar free surface rises at u against the wall, to 3 %.
 TEST(Ejection, PlanarFreeSurfaceDoubles) {
-  const mpm::exact::MieGruneisenFluid aluminium{2700, 5350, 1.34, 1.96, 880, 300};
+  const mpm::verification::exact::MieGruneisenFluid aluminium{2700, 5350, 1.34, 1.96, 880, 300};
   for (const double u : {200.0, 700.0, 1120.0, 1500.0}) {
-    const auto release = mpm::exact::isentropic_release(aluminium, mpm::exact::hugoniot(aluminium, u));
+    const auto release = mpm::verification::exact::isentropic_release(
+        aluminium, mpm::verification::exact::hugoniot(aluminium, u));
     EXPECT_NEAR(release.surface_speed / (2 * u), 1, 0.03) << u;
   }
 }

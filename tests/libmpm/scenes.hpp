@@ -1,5 +1,5 @@
 #pragma once
-#include "runner/bench/exact/scenes.hpp"
+#include "libmpm/verification/problems/scenes.hpp"
 
 /// Scenes that several tests share.
-namespace scenes = mpmstudy::scenes;
+namespace scenes = mpm::verification::scenes;

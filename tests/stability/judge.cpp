@@ -1,9 +1,9 @@
-#include "runner/bench/exact/scenes.hpp"
+#include "libmpm/verification/problems/scenes.hpp"
 #include "tests/stability/case.hpp"
 
 namespace stability {
 
-using mpmstudy::scenes::metric;
+using mpm::verification::scenes::metric;
 
 Outcome judge(const mpm::RunResult& r, double largest_energy_error) {
   Outcome o;

@@ -1,13 +1,13 @@
 #include <cmath>
 #include <cstring>
 
-#include "runner/bench/exact/scenes.hpp"
+#include "libmpm/verification/problems/scenes.hpp"
 #include "tests/stability/bodies.hpp"
 
 namespace stability {
 namespace {
 
-using mpmstudy::scenes::metric;
+using mpm::verification::scenes::metric;
 
 /// A collapse, all the way.
 mpm::Scene collapse(double speed) {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "libmpm/scene/parameters.hpp"
-#include "runner/bench/exact/scenes.hpp"
+#include "libmpm/verification/problems/scenes.hpp"
 #include "runner/study/document.hpp"
 #include "runner/study/requests.hpp"
 #include "runner/study/study.hpp"
@@ -50,8 +50,8 @@ Outcome run_by_both(mpm::Scene scene) {
   const mpm::RunResult fast = mpm::run(scene);
   scene.numerics.kernel = mpm::Kernel::reference;
   const mpm::RunResult reference = mpm::run(scene);
-  const double changed =
-      mpmstudy::scenes::metric(reference, "topology_changed_time_s", std::numeric_limits<double>::infinity());
+  const double changed = mpm::verification::scenes::metric(reference, "topology_changed_time_s",
+                                                           std::numeric_limits<double>::infinity());
   const Outcome a = judge(fast, 0.01), b = judge(reference, 0.01);
   double off = std::max(std::abs(a.smallest_density - b.smallest_density),
                         std::abs(a.largest_density - b.largest_density));

@@ -9,14 +9,14 @@
 
 #include <cmath>
 
-#include "runner/bench/exact/manufactured.hpp"
-#include "runner/bench/exact/problems.hpp"
+#include "libmpm/verification/problems/manufactured.hpp"
+#include "libmpm/verification/problems/problems.hpp"
 #include "tests/verification/expect_numbers.hpp"
 
 namespace {
 
-using mpmstudy::axis_aligned_error;
-using mpmstudy::vortex_error;
+using mpm::verification::axis_aligned_error;
+using mpm::verification::vortex_error;
 using enum mpm::ShapeFunction;
 
 double order(double coarse, double fine) { return std::log2(coarse / fine); }
@@ -63,15 +63,16 @@ TEST(Convergence, Vortex) {
 
 // What `bench exact` makes of it: the order between each two, and how far down the second order goes.
 TEST(Convergence, IsReportedWithTheErrorThatTheOrderReaches) {
-  const mpmstudy::ExactOptions quick{.cells = 2, .scheme = gimp, .particles_per_cell = 4};
-  const auto numbers = mpmstudy::axis_aligned_numbers(quick);
-  expect_holds(mpmstudy::number_of(numbers, "order, 16 to 32 cells"));
-  expect_holds(mpmstudy::number_of(numbers, "order, 32 to 64 cells"));
-  const auto& reached = mpmstudy::number_of(numbers, "error to which the order is 1.8");
+  const mpm::verification::ExactOptions quick{.cells = 2, .scheme = gimp, .particles_per_cell = 4};
+  const auto numbers = mpm::verification::axis_aligned_numbers(quick);
+  expect_holds(mpm::verification::number_of(numbers, "order, 16 to 32 cells"));
+  expect_holds(mpm::verification::number_of(numbers, "order, 32 to 64 cells"));
+  const auto& reached = mpm::verification::number_of(numbers, "error to which the order is 1.8");
   EXPECT_EQ(reached.ours, axis_aligned_error({gimp, 64}));
   // One particle a cell goes astray at once.
-  const auto lost = mpmstudy::axis_aligned_numbers({.cells = 4, .scheme = gimp, .particles_per_cell = 1});
-  EXPECT_FALSE(mpmstudy::number_of(lost, "order, 16 to 32 cells").holds());
+  const auto lost =
+      mpm::verification::axis_aligned_numbers({.cells = 4, .scheme = gimp, .particles_per_cell = 1});
+  EXPECT_FALSE(mpm::verification::number_of(lost, "order, 16 to 32 cells").holds());
 }
 
 }  // namespace

@@ -1,19 +1,19 @@
 // The whole free-surface history of a planar impact against the one-dimensional reference.
 #include <gtest/gtest.h>
 
-#include "runner/bench/exact/problems.hpp"
-#include "runner/bench/exact/surface_history.hpp"
-#include "tests/libmpm/exact/csv.hpp"
+#include "libmpm/verification/problems/problems.hpp"
+#include "libmpm/verification/problems/surface_history.hpp"
+#include "tests/libmpm/verification/exact/csv.hpp"
 #include "tests/verification/expect_numbers.hpp"
 
 namespace {
 
-using mpmstudy::history_distance;
-using mpmstudy::HistoryDistance;
+using mpm::verification::history_distance;
+using mpm::verification::HistoryDistance;
 
 std::vector<double> reference(int speed) {
   const auto rows = read_reference("freesurface_history_1d.csv");
-  const std::vector<double> times = mpmstudy::history_times();
+  const std::vector<double> times = mpm::verification::history_times();
   EXPECT_EQ(rows.size(), times.size());
   std::vector<double> speeds;
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -24,7 +24,7 @@ std::vector<double> reference(int speed) {
 }
 
 HistoryDistance distance(int speed, double cells) {
-  return history_distance(mpmstudy::surface_history(speed, {.cells = cells}), reference(speed));
+  return history_distance(mpm::verification::surface_history(speed, {.cells = cells}), reference(speed));
 }
 
 // What differs is the width of the fronts, a few cells: the rms over the history falls with its root. The
@@ -38,11 +38,12 @@ TEST(FreeSurfaceHistory, At200) {
 }
 
 // All seven speeds of the table, and the one-dimensional code in its stead.
-TEST(FreeSurfaceHistory, HoldsTheLadder) { expect_all_hold(mpmstudy::surface_history_numbers({})); }
+TEST(FreeSurfaceHistory, HoldsTheLadder) { expect_all_hold(mpm::verification::surface_history_numbers({})); }
 
 class History : public testing::TestWithParam<int> {};
 TEST_P(History, IsThatOfTheTable) {
-  const std::vector<double> exact = reference(GetParam()), ours = mpmstudy::surface_history(GetParam(), {});
+  const std::vector<double> exact = reference(GetParam()),
+                            ours = mpm::verification::surface_history(GetParam(), {});
   EXPECT_LT(history_distance(ours, exact).whole, 0.08);
   EXPECT_NEAR(ours.back() / exact.back(), 1, 0.003);
 }

@@ -3,19 +3,19 @@
 
 #include <cmath>
 
-#include "runner/bench/exact/problems.hpp"
+#include "libmpm/verification/problems/problems.hpp"
 #include "tests/verification/shell_cases.hpp"
 
 namespace {
 
-using mpmstudy::number_of;
+using mpm::verification::number_of;
 
 class ImplodingShell : public testing::TestWithParam<ShellCase> {};
 
 // The tolerances against the one-dimensional code are those of 0.05 um cells: see the slow test.
 TEST_P(ImplodingShell, StopsWhereItShould) {
   const auto numbers =
-      mpmstudy::imploding_shell_numbers(GetParam().inner_speed, GetParam().hardening, {.cells = 2});
+      mpm::verification::imploding_shell_numbers(GetParam().inner_speed, GetParam().hardening, {.cells = 2});
   for (const char* quantity : {"stop radius", "stop time", "roundness", "energy error", "momentum error"})
     expect_holds(number_of(numbers, quantity));
   EXPECT_LT(number_of(numbers, "stop radius, compressible").error(), 0.002);

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libmpm/exact/lagrangian_1d.hpp"
-#include "tests/libmpm/exact/csv.hpp"
+#include "libmpm/verification/exact/lagrangian_1d.hpp"
+#include "tests/libmpm/verification/exact/csv.hpp"
 
 namespace {
 
-using namespace mpm::exact;
+using namespace mpm::verification::exact;
 
 constexpr ElasticPlasticSolid aluminium{{2700, 5350, 1.34, 1.96, 880, 300}, 25.93985e9, 120e6, 470.302e6};
 

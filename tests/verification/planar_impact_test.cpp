@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "runner/bench/exact/problems.hpp"
+#include "libmpm/verification/problems/problems.hpp"
 #include "tests/libmpm/scenes.hpp"
 #include "tests/verification/expect_numbers.hpp"
 
 namespace {
 
-using mpmstudy::number_of;
-using mpmstudy::planar_impact_numbers;
+using mpm::verification::number_of;
+using mpm::verification::planar_impact_numbers;
 
 class PlanarImpact : public testing::TestWithParam<int> {};
 TEST_P(PlanarImpact, ReachesTheExactState) { expect_all_hold(planar_impact_numbers(GetParam(), {})); }

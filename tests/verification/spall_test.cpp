@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "libmpm/exact/lagrangian_1d.hpp"
 #include "libmpm/mpm.hpp"
 #include "libmpm/scene/build.hpp"
+#include "libmpm/verification/exact/lagrangian_1d.hpp"
 #include "tests/libmpm/scenes.hpp"
 
 namespace {
@@ -78,10 +78,11 @@ History reference(double spall_strength) {
     x.push_back(whole * j / cells);
     v.push_back(3 * j < cells ? speed : 3 * j > cells ? 0 : speed / 2);
   }
-  mpm::exact::Lagrangian1d::Options options;
+  mpm::verification::exact::Lagrangian1d::Options options;
   options.spall_strength = spall_strength;
-  mpm::exact::Lagrangian1d code(scenes::exact_solid(mpm::named_material("aluminium")),
-                                mpm::exact::Lagrangian1d::Geometry::planar, x, v, options);
+  mpm::verification::exact::Lagrangian1d code(scenes::exact_solid(mpm::named_material("aluminium")),
+                                              mpm::verification::exact::Lagrangian1d::Geometry::planar, x, v,
+                                              options);
   const double before = code.energy();
   History h;
   for (int k = 1; k <= samples; ++k) {

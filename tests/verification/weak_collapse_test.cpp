@@ -1,7 +1,7 @@
 // The weak collapse: trends that the physics demands, and invariances of its description.
 #include <gtest/gtest.h>
 
-#include "runner/bench/exact/problems.hpp"
+#include "libmpm/verification/problems/problems.hpp"
 #include "tests/libmpm/scenes.hpp"
 #include "tests/verification/expect_numbers.hpp"
 
@@ -36,7 +36,7 @@ TEST(WeakCollapse, LargerCavitiesAndHigherYieldStressesCollapseLess) {
 }
 
 TEST(WeakCollapse, HalfOfTheSceneIsTheSceneAtEarlyTimes) {
-  expect_all_hold(mpmstudy::half_and_full_numbers({}));
+  expect_all_hold(mpm::verification::half_and_full_numbers({}));
 }
 
 }  // namespace

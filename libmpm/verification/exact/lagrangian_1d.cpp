@@ -1,0 +1,158 @@
+#include "libmpm/verification/exact/lagrangian_1d.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace mpm::verification::exact {
+namespace {
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+Lagrangian1d::Lagrangian1d(const ElasticPlasticSolid& solid, Geometry geometry, std::vector<double> positions,
+                           std::vector<double> velocities, const Options& options)
+    : solid_(solid),
+      geometry_(geometry),
+      options_(options),
+      position_(std::move(positions)),
+      velocity_(std::move(velocities)),
+      node_mass_(position_.size(), 0),
+      wall_position_(position_.at(0)) {
+  if (position_.size() < 2 || velocity_.size() != position_.size())
+    throw std::invalid_argument("lagrangian_1d: at least two nodes, and a velocity for each");
+  for (std::size_t k = 0; k + 1 < position_.size(); ++k) {
+    const double volume = middle(k) * length(k);
+    if (!(volume > 0)) throw std::invalid_argument("lagrangian_1d: positions must rise, radii be positive");
+    cells_.push_back({.mass = solid_.fluid.density * volume, .volume = volume, .strain_rate = 0});
+    node_mass_[k] += cells_[k].mass / 2;
+    node_mass_[k + 1] += cells_[k].mass / 2;
+  }
+}
+
+double Lagrangian1d::middle(std::size_t k) const {
+  return geometry_ == Geometry::planar ? 1 : (position_[k] + position_[k + 1]) / 2;
+}
+
+double Lagrangian1d::normal_stress(std::size_t cell) const {
+  return cells_.at(cell).pressure - cells_.at(cell).s1;
+}
+
+double Lagrangian1d::energy() const {
+  double sum = 0;
+  for (std::size_t j = 0; j < position_.size(); ++j) sum += node_mass_[j] * square(velocity_[j]) / 2;
+  for (const Cell& c : cells_) sum += c.mass * c.energy;
+  return sum;
+}
+
+double Lagrangian1d::stable_step() const {
+  double least = std::numeric_limits<double>::infinity();
+  const MieGruneisenFluid& fluid = solid_.fluid;
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const Cell& c = cells_[k];
+    const double rho = c.mass / c.volume;
+    const double bulk = -(fluid.pressure_slope(rho) - c.pressure * fluid.gamma * fluid.density) / square(rho);
+    const double sound = std::sqrt(std::max(bulk, 0.0) + 4 * solid_.shear_modulus / (3 * rho));
+    const double squeeze = std::max(-c.strain_rate, 0.0) * length(k);
+    const double viscous =
+        options_.linear_viscosity * fluid.sound_speed + options_.quadratic_viscosity * squeeze;
+    least = std::min(least, length(k) / (viscous + std::sqrt(square(viscous) + square(sound)) + squeeze));
+  }
+  return options_.cfl * least;
+}
+
+void Lagrangian1d::accelerate(double dt) {
+  std::vector<double> force(position_.size(), 0);
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const Cell& c = cells_[k];
+    const double mean = -(c.pressure + c.viscous);
+    const double along = middle(k) * (c.s1 + mean);
+    const double hoop = geometry_ == Geometry::planar ? 0 : length(k) * (c.s2 + mean) / 2;
+    force[k] += along - hoop;
+    force[k + 1] -= along + hoop;
+  }
+  for (std::size_t j = 0; j < force.size(); ++j) velocity_[j] += dt * force[j] / node_mass_[j];
+  if (options_.wall) velocity_[0] = std::max(velocity_[0], (wall_position_ - position_[0]) / dt);
+}
+
+void Lagrangian1d::deform(Cell& c, double d_eps_1, double d_eps_2, double volume, double length,
+                          double dt) const {
+  const double g2 = 2 * solid_.shear_modulus, mean = (d_eps_1 + d_eps_2) / 3;
+  const double old1 = c.s1, old2 = c.s2;
+  c.s1 += g2 * (d_eps_1 - mean);
+  c.s2 += g2 * (d_eps_2 - mean);
+  c.s3 -= g2 * mean;
+  const double trial = std::sqrt(1.5 * (square(c.s1) + square(c.s2) + square(c.s3)));
+  const double yield = solid_.yield_stress + solid_.hardening * c.plastic_strain;
+  if (trial > yield) {
+    const double plastic = (trial - yield) / (3 * solid_.shear_modulus + solid_.hardening);
+    const double kept = (yield + solid_.hardening * plastic) / trial;
+    c.s1 *= kept, c.s2 *= kept, c.s3 *= kept;
+    c.plastic_strain += plastic;
+  }
+  c.strain_rate = (d_eps_1 + d_eps_2) / dt;
+  const double squeeze = std::max(-c.strain_rate, 0.0) * length;
+  c.viscous = c.mass / volume * squeeze *
+              (options_.linear_viscosity * solid_.fluid.sound_speed + options_.quadratic_viscosity * squeeze);
+
+  // e' = e - ((P + P')/2 + q) dv + v s : d_eps with P' = cold + gamma0 rho0 e': solved for P'.
+  const double v = volume / c.mass, dv = v - c.volume / c.mass;
+  const double work = (v - dv / 2) * ((old1 + c.s1) * d_eps_1 + (old2 + c.s2) * d_eps_2) / 2;
+  const double thermal = solid_.fluid.gamma * solid_.fluid.density;
+  const double without = c.energy - (c.pressure / 2 + c.viscous) * dv + work;
+  const double next = (solid_.fluid.pressure(1 / v, 0) + thermal * without) / (1 + thermal * dv / 2);
+  const double held = std::max(next, -options_.spall_strength);
+  c.energy = without - held * dv / 2;
+  c.pressure = held;
+  c.volume = volume;
+}
+
+void Lagrangian1d::advance(double longest) {
+  const double dt = std::min(stable_step(), longest);
+  accelerate(dt);
+  std::vector<double> before(cells_.size()), before_middle(cells_.size());
+  for (std::size_t k = 0; k < cells_.size(); ++k) before[k] = length(k), before_middle[k] = middle(k);
+  for (std::size_t j = 0; j < position_.size(); ++j) position_[j] += dt * velocity_[j];
+  for (std::size_t k = 0; k < cells_.size(); ++k)
+    deform(cells_[k], std::log(length(k) / before[k]), std::log(middle(k) / before_middle[k]),
+           middle(k) * length(k), length(k), dt);
+  time_ += dt;
+}
+
+std::vector<ImpactSample> impact_history(const ElasticPlasticSolid& solid, double impact_speed, double height,
+                                         int cells, const std::vector<double>& times,
+                                         Lagrangian1d::Options options) {
+  std::vector<double> x;
+  for (int j = 0; j <= cells; ++j) x.push_back(height * j / cells);
+  options.wall = true;
+  Lagrangian1d code(solid, Lagrangian1d::Geometry::planar, x, std::vector<double>(x.size(), -impact_speed),
+                    options);
+  std::vector<ImpactSample> samples;
+  for (const double t : times) {
+    while (code.time() < t) code.advance(t - code.time());
+    samples.push_back({t, code.velocities().back() + impact_speed, code.normal_stress(0)});
+  }
+  return samples;
+}
+
+ShellStop compressible_shell_stop(const ElasticPlasticSolid& solid, double inner_radius, double outer_radius,
+                                  double inner_speed, int cells) {
+  std::vector<double> r, v;
+  for (int j = 0; j <= cells; ++j) {
+    r.push_back(inner_radius + (outer_radius - inner_radius) * j / cells);
+    v.push_back(-inner_speed * inner_radius / r.back());
+  }
+  Lagrangian1d code(solid, Lagrangian1d::Geometry::cylindrical, r, v, {});
+  ShellStop stop{false, inner_radius, 0};
+  const double scale = inner_radius / inner_speed;
+  while (stop.time == 0 || code.time() < 1.3 * stop.time) {
+    code.advance(scale);
+    const double a = code.positions()[0];
+    if (a < inner_radius / 1000) return {true, a, code.time()};
+    if (a < stop.radius) stop = {false, a, code.time()};
+  }
+  return stop;
+}
+
+}  // namespace mpm::verification::exact

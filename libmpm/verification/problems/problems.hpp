@@ -1,0 +1,36 @@
+#pragma once
+/// The problems of the ladder, one function each: what it solves and how, and the numbers that are known of
+/// it.
+#include "libmpm/verification/problems/exact_bench.hpp"
+
+namespace mpm::verification {
+
+// material_point_numbers.cpp: the material alone, without particles and grid.
+ExactNumbers hugoniot_numbers(const ExactOptions&);
+ExactNumbers uniaxial_path_numbers(const ExactOptions&);
+ExactNumbers release_numbers(const ExactOptions&);
+ExactNumbers bauschinger_numbers(const ExactOptions&);
+
+/// planar_impact.cpp: a block of aluminium on a rigid wall. 0.05 um cells.
+ExactNumbers planar_impact_numbers(double impact_speed, const ExactOptions&);
+
+/// surface_history.cpp: the same, 10 um high; the speed of its free surface over all waves.
+ExactNumbers surface_history_numbers(const ExactOptions&);
+
+/// imploding_shell.cpp: a ring of aluminium, 1.5 to 3 um, with an inner speed in verney_cylinder_al.csv
+/// [m/s]. 0.05 um cells.
+ExactNumbers imploding_shell_numbers(double inner_speed, bool hardening, const ExactOptions&);
+
+// elastic_numbers.cpp: neo-Hookean bodies.
+ExactNumbers axis_aligned_numbers(const ExactOptions&);
+ExactNumbers vortex_numbers(const ExactOptions&);
+ExactNumbers vibrating_bar_numbers(const ExactOptions&);
+ExactNumbers elastic_disks_numbers(const ExactOptions&);
+
+// invariances.cpp: two descriptions of one thing.
+ExactNumbers scale_numbers(const ExactOptions&);
+ExactNumbers half_and_full_numbers(const ExactOptions&);
+ExactNumbers wall_and_two_bodies_numbers(const ExactOptions&);
+ExactNumbers moving_frame_numbers(const ExactOptions&);
+
+}  // namespace mpm::verification
