@@ -70,8 +70,6 @@ constexpr std::array names = {
     Named{"plastic_work", "Plastic work", "", "J/m^3"},
     Named{"specific_internal_energy", "Specific internal energy", "e", "J/kg"},
     Named{"temperature", "Temperature", "T", "K"},
-    Named{"critical_speed", "Critical impact speed", "u", "m/s"},
-    Named{"critical_speed_extrapolated", "Critical impact speed", "u", "m/s"},
     Named{"jet_speed", "Jet speed", "", "m/s"},
     Named{"hot_spot_work", "Plastic work of the hot spot", "", "J/m^3"},
     Named{"aspect_ratio", "Width over height of the cavity", "", "1"},

@@ -1,6 +1,10 @@
 #include "libmpm/scene/parameters.hpp"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
 
 namespace mpm {
 namespace {
@@ -9,6 +13,24 @@ bool every(SceneKind) { return true; }
 bool block(SceneKind k) { return k != SceneKind::imploding_shell; }
 bool cavity(SceneKind k) { return has_cavity(k); }
 bool shell(SceneKind k) { return k == SceneKind::imploding_shell; }
+
+/// a - b - c, which has the rounding of its terms: of the numbers that it may stand for, the one with the
+/// fewest digits. A wall that was written as 1 um is 1e-06, not 9.999999999999995e-07.
+double rounded_difference(double a, double b, double c) {
+  const double difference = a - b - c;
+  const double doubt =
+      2 * std::numeric_limits<double>::epsilon() * std::max({std::abs(a), std::abs(b), std::abs(c)});
+  if (std::abs(difference) <= doubt) return 0;
+  for (int digits = 0; digits < std::numeric_limits<double>::max_digits10; ++digits) {
+    char text[32];
+    const auto end =
+        std::to_chars(text, text + sizeof text, difference, std::chars_format::scientific, digits).ptr;
+    double rounded = difference;
+    std::from_chars(text, end, rounded);
+    if (std::abs(rounded - difference) <= doubt) return rounded;
+  }
+  return difference;  // not finite
+}
 
 using S = Scene;
 constexpr auto P = Section::parameters;
@@ -37,7 +59,7 @@ const Quantity quantity_table[] = {
      P, positive, required, "wall_thickness", cavity, FIELD(cavity_center_height)},
     {"wall_thickness", "m", "wall_thickness_m", "downstream wall: block_height - cavity_center_height - cavity_radius",
      P, non_negative, required, "cavity_center_height", cavity,
-     [](const S& s) { return s.block_height - s.cavity_center_height - s.cavity_radius; },
+     [](const S& s) { return rounded_difference(s.block_height, s.cavity_center_height, s.cavity_radius); },
      [](S& s, double d) { s.cavity_center_height = s.block_height - d - s.cavity_radius; }, derived},
     {"inner_radius", "m", "inner_radius_m", "inner radius of the shell",
      P, positive, required, "", shell, FIELD(inner_radius)},

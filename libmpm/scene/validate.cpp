@@ -137,6 +137,15 @@ void check_size(const Scene& s, Report& report) {
   if (s.numerics.precision == Precision::single_precision)
     report.require(width / h * (height / h) <= 0x1p23, "cell_size",
                    "large enough for at most 2^23 cells when precision is \"float\"");
+  // Two bodies have empty rows for the way that the struck one goes.
+  if (s.kind == SceneKind::two_body_impact) {
+    constexpr double most_cells = 1e9;
+    const double cells = width / h * ((height + s.impact_speed * s.end_time) / h);
+    report.require(
+        cells <= most_cells, "end_time",
+        "short enough for at most 1e9 cells of the way that the bodies go at impact_speed (these would be " +
+            number(cells) + ")");
+  }
 }
 
 void check_length(const Scene& s, Report& report) {
@@ -260,6 +269,13 @@ static double area_of(const Scene& s, const Lattice& lattice) {
   return area;
 }
 
+/// The largest int64_t below 2^63 for what is larger, 0 for what is no number: a speed of 1e300 m/s has steps
+/// that no integer counts.
+static std::int64_t whole_number(double value) {
+  constexpr double most = 9.2e18;
+  return value > 0 ? static_cast<std::int64_t>(std::min(value, most)) : 0;
+}
+
 Estimate estimate(const Scene& s) {
   const Lattice lattice = lattice_of(s);
   const double area = area_of(s, lattice);
@@ -277,7 +293,7 @@ Estimate estimate(const Scene& s) {
   // Samples are hit exactly, by a whole number of steps from one to the next.
   const double samples = s.end_time / s.measures.area_every;
   const double per_sample = std::ceil(s.measures.area_every / step);
-  return {static_cast<std::int64_t>(area * per_cell), static_cast<std::int64_t>(per_sample * samples)};
+  return {whole_number(area * per_cell), whole_number(per_sample * samples)};
 }
 
 }  // namespace mpm

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/catch_up.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -146,6 +147,7 @@ void bring_up_to_date(SQLite::Database& db, const fs::path& path, const CatalogS
     if (migration.version > header.version) db.exec(std::string(migration.sql));
   move_parameters(db);
   for (const auto& column : missing_columns(db, schema)) add_parameter(db, column);
+  catch_up(db, header.version);
   db.exec(view_sql(parameters_of(db)));
   db.exec("PRAGMA application_id = " + std::to_string(catalog_application_id));
   db.exec("PRAGMA user_version = " + std::to_string(schema.version()));

@@ -209,6 +209,36 @@ CREATE INDEX interval_by_job ON interval (job_id, quantity, cells DESC, study_id
 ALTER TABLE study ADD COLUMN cells REAL NOT NULL DEFAULT 1;    -- its --cells
 )sql";
 
+// Brackets of any quantity. The table before held speeds, and other quantities as if they were speeds: what
+// its rows are of is looked up in their jobs (catch_up.hpp).
+constexpr std::string_view version_7 = R"sql(
+DROP VIEW IF EXISTS critical_speed;
+CREATE TABLE bracket (
+  study_id         INTEGER NOT NULL REFERENCES study (id),
+  position         INTEGER NOT NULL,   -- of the point in the study's sweep
+  quantity         TEXT NOT NULL,      -- what was searched: 'impact_speed'
+  unit             TEXT NOT NULL,      -- of lower, upper, extrapolated, interval
+  lower            REAL,               -- null: not found, flags say why
+  upper            REAL,
+  lower_key        TEXT,
+  upper_key        TEXT,
+  cell_size_m      REAL NOT NULL,
+  extrapolated     REAL,               -- to cells of size 0, on the finest row
+  interval         REAL,               -- half width, resolution included
+  flags            TEXT NOT NULL DEFAULT '',
+  runs             INTEGER,            -- jobs that the search asked for
+  swept            TEXT NOT NULL,      -- JSON object: column of jobs -> value of what else the study sweeps
+  wall_thickness_m REAL,               -- for the view critical_speed
+  PRIMARY KEY (study_id, position)
+) STRICT, WITHOUT ROWID;
+INSERT INTO bracket SELECT study_id, position, 'impact_speed', 'm/s', lower_m_s, upper_m_s, lower_key, upper_key,
+  cell_size_m, extrapolated_m_s, interval_m_s, flags, runs,
+  CASE WHEN wall_thickness_m IS NULL THEN '{}' ELSE json_object('wall_thickness_m', wall_thickness_m) END,
+  wall_thickness_m
+FROM critical_speed_bracket;
+DROP TABLE critical_speed_bracket;
+)sql";
+
 constexpr std::string_view jobs_before = R"sql(
 DROP VIEW IF EXISTS jobs;
 CREATE VIEW jobs AS SELECT
@@ -275,12 +305,19 @@ CREATE VIEW fits AS SELECT s.name AS study, f.quantity AS quantity, f.model AS m
   f.unit AS unit, f.against AS against, f.covariance AS covariance
 FROM study s JOIN fit f ON f.study_id = s.id;
 
+DROP VIEW IF EXISTS brackets;
+CREATE VIEW brackets AS SELECT s.name AS study, b.quantity AS quantity, b.unit AS unit, b.lower AS lower,
+  b.upper AS upper, b.lower_key AS lower_key, b.upper_key AS upper_key, b.cell_size_m AS cell_size_m,
+  b.extrapolated AS extrapolated, b.interval AS interval, b.flags AS flags, b.runs AS runs,
+  b.position AS position, b.swept AS swept
+FROM study s JOIN bracket b ON b.study_id = s.id;
+
 DROP VIEW IF EXISTS critical_speed;
 CREATE VIEW critical_speed AS SELECT s.name AS study, b.wall_thickness_m AS wall_thickness_m,
-  b.lower_m_s AS lower_m_s, b.upper_m_s AS upper_m_s, b.lower_key AS lower_key, b.upper_key AS upper_key,
-  b.cell_size_m AS cell_size_m, b.extrapolated_m_s AS extrapolated_m_s, b.interval_m_s AS interval_m_s,
+  b.lower AS lower_m_s, b.upper AS upper_m_s, b.lower_key AS lower_key, b.upper_key AS upper_key,
+  b.cell_size_m AS cell_size_m, b.extrapolated AS extrapolated_m_s, b.interval AS interval_m_s,
   b.flags AS flags, b.runs AS runs, b.position AS position
-FROM study s JOIN critical_speed_bracket b ON b.study_id = s.id;
+FROM study s JOIN bracket b ON b.study_id = s.id WHERE b.unit = 'm/s';
 
 DROP VIEW IF EXISTS accuracy;
 CREATE VIEW accuracy AS SELECT s.name AS study, j.key AS key, i.quantity AS quantity, i.value AS value,
@@ -332,7 +369,7 @@ std::vector<ParameterColumn> parameter_columns() {
 }  // namespace
 
 CatalogSchema current_catalog_schema() {
-  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}, {5, version_5}, {6, version_6}},
+  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}, {5, version_5}, {6, version_6}, {7, version_7}},
           parameter_columns()};
 }
 

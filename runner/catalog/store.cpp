@@ -102,18 +102,18 @@ void Store::replace_fits(const std::string& study, const std::vector<FitRow>& fi
             f.covariance.empty() ? std::nullopt : std::optional(nlohmann::json(f.covariance).dump()));
 }
 
-void Store::replace_critical_speeds(const std::string& study, const std::vector<CriticalSpeedRow>& rows) {
+void Store::replace_brackets(const std::string& study, const std::vector<BracketRow>& rows) {
   const auto id = impl_->study_id(study);
-  SQLite::Statement forget(*impl_->db, "DELETE FROM critical_speed_bracket WHERE study_id = ?");
+  SQLite::Statement forget(*impl_->db, "DELETE FROM bracket WHERE study_id = ?");
   execute(forget, id);
-  SQLite::Statement insert(
-      *impl_->db,
-      "INSERT INTO critical_speed_bracket (study_id, position, wall_thickness_m, lower_m_s, "
-      "upper_m_s, lower_key, upper_key, cell_size_m, extrapolated_m_s, interval_m_s, flags, runs) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  SQLite::Statement insert(*impl_->db,
+                           "INSERT INTO bracket (study_id, position, quantity, unit, lower, upper, lower_key, "
+                           "upper_key, cell_size_m, extrapolated, interval, flags, runs, swept, "
+                           "wall_thickness_m) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& b : rows)
-    execute(insert, id, b.position, b.wall_thickness, b.lower, b.upper, b.lower_key, b.upper_key, b.cell_size,
-            b.extrapolated, b.interval, b.flags, b.runs);
+    execute(insert, id, b.position, b.quantity, b.unit, b.lower, b.upper, or_null(b.lower_key),
+            or_null(b.upper_key), b.cell_size, b.extrapolated, b.interval, b.flags, b.runs, b.swept,
+            b.wall_thickness);
 }
 
 void Store::replace_claims(const std::vector<Claim>& claims) {

@@ -57,7 +57,7 @@ class Store {
 
   void replace_intervals(const std::string& study, const std::vector<IntervalRow>&);
   void replace_fits(const std::string& study, const std::vector<FitRow>&);
-  void replace_critical_speeds(const std::string& study, const std::vector<CriticalSpeedRow>&);
+  void replace_brackets(const std::string& study, const std::vector<BracketRow>&);
 
   void replace_claims(const std::vector<Claim>&);
 

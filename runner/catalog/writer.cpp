@@ -218,8 +218,8 @@ void CatalogWriter::replace_fits(const std::string& study, std::vector<FitRow> r
   impl_->ask([study, rows = std::move(rows)](Store& s) { s.replace_fits(study, rows); });
 }
 
-void CatalogWriter::replace_critical_speeds(const std::string& study, std::vector<CriticalSpeedRow> rows) {
-  impl_->ask([study, rows = std::move(rows)](Store& s) { s.replace_critical_speeds(study, rows); });
+void CatalogWriter::replace_brackets(const std::string& study, std::vector<BracketRow> rows) {
+  impl_->ask([study, rows = std::move(rows)](Store& s) { s.replace_brackets(study, rows); });
 }
 
 void CatalogWriter::replace_claims(std::vector<Claim> rows) {

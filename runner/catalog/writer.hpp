@@ -49,7 +49,7 @@ class CatalogWriter : public Ledger {
   /// Fits of a registered study, instead of those it had.
   void replace_fits(const std::string& study, std::vector<FitRow>);
   /// Brackets of a registered study, instead of those it had.
-  void replace_critical_speeds(const std::string& study, std::vector<CriticalSpeedRow>);
+  void replace_brackets(const std::string& study, std::vector<BracketRow>);
   /// The paper's claims, instead of those that were there.
   void replace_claims(std::vector<Claim>);
 

@@ -86,14 +86,12 @@ void print_own(const Wanted& wanted) {
 /// The job whose key begins so, among all that the study may ask for.
 std::optional<Wanted> find_job(Study study, const std::string& key) {
   if (study.search) {
-    for (const auto& scene : possible_scenes(study))
-      if (std::string own = job_key(scene); own.starts_with(key)) {
-        const bool of_an_audit = std::ranges::none_of(study.scenes, [&](const mpm::Scene& point) {
-          return point.measures.stop == scene.measures.stop;
-        });
-        return Wanted{std::move(study), {std::move(own), scene, mpm::estimate(scene)}, of_an_audit};
-      }
-    return std::nullopt;
+    const auto found = possible_scenes(study, [&](const std::string& own) { return own.starts_with(key); });
+    if (found.empty()) return std::nullopt;
+    const mpm::Scene& scene = found.front();
+    const bool of_an_audit = std::ranges::none_of(
+        study.scenes, [&](const mpm::Scene& point) { return point.measures.stop == scene.measures.stop; });
+    return Wanted{std::move(study), {job_key(scene), scene, mpm::estimate(scene)}, of_an_audit};
   }
   for (const auto& job : all_jobs(make_plan(study)))
     if (job.key.starts_with(key)) return Wanted{std::move(study), job};

@@ -30,6 +30,7 @@ constexpr Exported views[] = {
     {"metrics", false, "key, name"},
     {"area_history", false, "key, time_s"},
     {"fits", true, "study, quantity, against, model, coefficient"},
+    {"brackets", true, "study, position"},
     {"critical_speed", true, "study, wall_thickness_m, cell_size_m"},
     {"snapshots", false, "key, path"},
     {"accuracy", true, "study, key, quantity"},
@@ -65,8 +66,8 @@ void setup_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App& verb = *app.add_subcommand("export", "Write views of the catalog as CSV or JSON");
   verb.add_option("--what", options->what,
-                  "jobs, metrics, area_history, fits, critical_speed, snapshots, accuracy, ladders or all")
-      ->check(CLI::IsMember({"jobs", "metrics", "area_history", "fits", "critical_speed", "snapshots",
+                  "jobs, metrics, area_history, fits, brackets, critical_speed, snapshots, accuracy, ladders or all")
+      ->check(CLI::IsMember({"jobs", "metrics", "area_history", "fits", "brackets", "critical_speed", "snapshots",
                              "accuracy", "ladders", "all"}))
       ->capture_default_str();
   verb.add_option("--study", options->study, "Rows of this study only")->type_name("NAME");

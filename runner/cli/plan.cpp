@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "runner/catalog/reader.hpp"
+#include "runner/cli/print_search.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/ladder.hpp"
@@ -135,6 +136,29 @@ void print_ladder(const Plan& plan) {
   print_table(rows);
 }
 
+/// What the runs of a search are predicted to cost: a round waits for the one before.
+struct SearchCost {
+  SearchForecast forecast;
+  Prediction cpu;
+  double wall_s = 0;
+};
+
+SearchCost search_cost(const Study& study, const CostModel& cost, int workers) {
+  SearchCost search{forecast_search(study), {}, 0};
+  std::vector<Job> all;
+  for (const auto& round : search.forecast.rounds) {
+    std::vector<Job> jobs;
+    for (const mpm::Scene& scene : round) {
+      const mpm::Estimate estimate = mpm::estimate(scene);
+      jobs.push_back({job_key(scene), scene, estimate, cost.seconds(estimate)});
+    }
+    search.wall_s += wall_seconds(jobs, workers);
+    all.insert(all.end(), jobs.begin(), jobs.end());
+  }
+  search.cpu = total_cost(cost, all);
+  return search;
+}
+
 void print_text(const Study& study, const Plan& plan, int workers) {
   std::vector<std::vector<std::string>> rows = {{"job"}};
   rows[0].insert(rows[0].end(), study.swept.begin(), study.swept.end());
@@ -163,11 +187,14 @@ void print_text(const Study& study, const Plan& plan, int workers) {
   if (all.size() > first.size())
     fmt::print("At most, if no ladder ends early: {} jobs, {}, {} on -j {}\n", all.size(),
                readable_cost(total_cost(plan.cost, all)), duration(wall_seconds(all, workers)), workers);
-  if (study.search)
+  if (study.search) {
+    const SearchCost search = search_cost(study, plan.cost, workers);
     fmt::print(
-        "Search for the smallest {} with outcome {}: the jobs above, at its lower end, stand for the points "
-        "at which `run` looks for it\n",
-        study.search->critical, study.search->outcome);
+        "\nThe jobs above, at the lower end of the search, stand for its points.\nA {}\nIn all {}, {} on -j "
+        "{}\n",
+        readable_forecast(study, search.forecast), readable_cost(search.cpu), duration(search.wall_s),
+        workers);
+  }
   print_defaults(study, plan);
 }
 
@@ -194,6 +221,13 @@ Json to_json(const Study& study, const Plan& plan, int workers) {
   }
   const auto first = first_jobs(plan);
   const Prediction cost = total_cost(plan.cost, first);
+  Json search = nullptr;
+  if (study.search) {
+    const SearchCost predicted = search_cost(study, plan.cost, workers);
+    search = {{"runs", predicted.forecast.runs},      {"fewest_runs", predicted.forecast.fewest},
+              {"most_runs", predicted.forecast.most}, {"rounds", predicted.forecast.rounds.size()},
+              {"cpu_seconds", predicted.cpu.seconds}, {"wall_seconds", predicted.wall_s}};
+  }
   return {{"study", study.name},
           {"title", study.title},
           {"scene", mpm::to_string(study.kind)},
@@ -207,6 +241,7 @@ Json to_json(const Study& study, const Plan& plan, int workers) {
           {"most_cpu_seconds", cpu_seconds(all_jobs(plan))},
           {"workers", workers},
           {"wall_seconds", wall_seconds(first, workers)},
+          {"search", std::move(search)},
           {"learnt_from_jobs", plan.cost.learnt_from()}};
 }
 

@@ -33,14 +33,17 @@
 namespace mpmstudy {
 namespace {
 
-/// Names of what jobs differ in: what any of the studies sweeps, in the order in which they occur, and the
-/// cell where one has a ladder of them.
+/// Names of what jobs differ in: what any of the studies sweeps or searches, in the order in which they
+/// occur, and the cell where one has a ladder of them.
 std::vector<std::string> swept_names(const std::vector<Study>& studies) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   };
-  for (const auto& study : studies) std::ranges::for_each(study.swept, add);
+  for (const auto& study : studies) {
+    std::ranges::for_each(study.swept, add);
+    if (study.search) add(study.search->critical);
+  }
   if (std::ranges::any_of(studies, [](const Study& study) { return study.ladder.cells > 1; }))
     add("cell_size");
   return names;
@@ -68,7 +71,7 @@ std::unique_ptr<Status> make_status(const RunOptions& options, const std::vector
 
 /// --dry-run: what a run would do. Writes nothing, and needs no catalog.
 int print_intent(const RunOptions& options, const std::vector<Study>& studies,
-                 const std::vector<PlannedStudy>& planned) {
+                 const std::vector<PlannedStudy>& planned, const CostModel& cost) {
   std::map<std::string, std::string> known;
   if (std::filesystem::exists(catalog_path(options.results)))
     for (const auto& row : query(options.results, "SELECT DISTINCT key, status FROM jobs").rows)
@@ -93,12 +96,19 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
   for (const auto& job : jobs)
     fmt::print("{}  {} particles, {} steps, {}  {}\n", short_key(job.key), job.estimate.particles,
                job.estimate.steps, readable_duration(job.predicted_seconds), label_of(job.scene, swept));
-  for (const auto& study : studies)
-    if (study.search)
-      fmt::print("{}: a search at {}; which jobs it runs depends on what it finds\n", study.name,
-                 counted(static_cast<std::int64_t>(study.scenes.size()), "point"));
-  fmt::print("{} would run, about {} of one core; {} done, {} failed and would be left\n",
-             counted(static_cast<std::int64_t>(jobs.size()), "job"), readable_duration(seconds), kept["done"],
+  auto count = static_cast<std::int64_t>(jobs.size());
+  bool about = false;
+  for (const auto& study : studies) {
+    if (!study.search || !options.only.empty()) continue;
+    const SearchForecast forecast = forecast_search(study, options.results, options.retry_failed);
+    fmt::print("{}: {}\n", study.name, readable_forecast(study, forecast));
+    for (const auto& round : forecast.rounds)
+      for (const auto& scene : round) seconds += cost.seconds(mpm::estimate(scene));
+    count += forecast.runs;
+    about |= forecast.runs > 0;
+  }
+  fmt::print("{}{} would run, about {} of one core; {} done, {} failed and would be left\n",
+             about ? "about " : "", counted(count, "job"), readable_duration(seconds), kept["done"],
              kept["failed"]);
   return exit_ok;
 }
@@ -131,21 +141,22 @@ ExecutorOptions executor_options(const RunOptions& options) {
   return executor;
 }
 
-/// Leaves the jobs whose keys are in a file, one a line.
-void keep_only(const std::string& path, std::vector<PlannedStudy>& planned) {
+/// The keys in a file, one per line.
+std::set<std::string> read_keys(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw StudyError(path + ": cannot be read; --only names a file of keys, one a line");
+  if (!file) throw StudyError(path + ": cannot be read; --only names a file of keys, one per line");
   std::set<std::string> keys;
   for (std::string key; file >> key;) keys.insert(key);
+  return keys;
+}
+
+/// Leaves the jobs that have one of these keys.
+void keep_only(const std::set<std::string>& keys, std::vector<PlannedStudy>& planned) {
   for (auto& study : planned) {
     auto jobs = all_jobs(study.plan);
     std::erase_if(jobs, [&](const Job& job) { return !keys.contains(job.key); });
-    for (auto& job : jobs) job.rung_of.reset();
-    study.plan = {study.plan.study,
-                  std::move(jobs),
-                  {},
-                  {},
-                  study.plan.cost};  // who gives the keys knows what they are for
+    for (auto& job : jobs) job.rung_of.reset();  // whoever names a key wants the job itself
+    study.plan = {study.plan.study, std::move(jobs), {}, {}, study.plan.cost};
   }
 }
 
@@ -192,12 +203,14 @@ int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
 std::vector<PlannedStudy> plan_studies(const RunOptions& options, const std::vector<Study>& studies,
                                        const CostModel& cost) {
   std::vector<PlannedStudy> planned;
+  const auto keys = options.only.empty() ? std::set<std::string>() : read_keys(options.only);
   for (Study study : studies) {
     if (study.search && options.only.empty()) continue;
-    if (study.search) study.scenes = possible_scenes(study);
+    if (study.search)
+      study.scenes = possible_scenes(study, [&](const std::string& key) { return keys.contains(key); });
     planned.push_back({make_plan(study, cost), study.title, source_of(study, options.study)});
   }
-  if (!options.only.empty()) keep_only(options.only, planned);
+  if (!options.only.empty()) keep_only(keys, planned);
   return planned;
 }
 
@@ -259,7 +272,7 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit), {}};
   const auto planned = plan_studies(options, studies, cost);
   if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
-  if (options.dry_run) return print_intent(options, studies, planned);
+  if (options.dry_run) return print_intent(options, studies, planned, cost);
 
   const ExecutorOptions executor = executor_options(options);
   const SignalGuard signals;
@@ -268,6 +281,7 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   CatalogWriter writer(options.results, writer_options);
   const auto status = make_status(options, studies);
   RunReport report;
+  int code = exit_ok;
   try {
     if (!planned.empty())
       report = run_studies(planned, options.retry_failed, writer, *status, seams.simulate,
@@ -277,10 +291,12 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
       const SearchReport search =
           run_search(study, from(source_of(study, options.study), search_options), writer, *status,
                      seams.simulate, seams.write_snapshot, signal_flag(), executor);
-      report.executed.failed += search.run.executed.failed;
-      report.executed.untouched += search.run.left();
-      report.signal = search.run.signal;
-      if (search.run.left() == 0) print_search(study, search);
+      report += search.run;
+      code = std::max(code, search.exit_code());
+      if (search.run.left() == 0)
+        print_search(study, search);
+      else
+        fmt::print(stderr, "{}: the search is not at its end; run again to go on\n", study.name);
     }
   } catch (const CatalogError& error) {  // on the way, so there is work left
     fmt::print(stderr, "{}\nrun again to go on\n", error.what());
@@ -288,7 +304,7 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   }
   const bool whole = report.left() == 0 && options.only.empty();
   const bool good = !whole || finish_studies(studies, options, seams, writer);
-  const int code = report.exit_code();
+  code = std::max(code, report.exit_code());
   return code == exit_ok && !good ? exit_failed : code;
 }
 

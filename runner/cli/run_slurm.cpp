@@ -204,7 +204,7 @@ int search_on_slurm(const RunOptions& options, const Study& study, const SearchO
   if (report.run.left() > 0) return code;
   print_search(study, report);
   if (seams.finish_study) seams.finish_study(study, options.results, writer);
-  return exit_ok;
+  return report.exit_code();
 }
 
 }  // namespace mpmstudy

@@ -20,8 +20,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// At most 30 years, which the clock can add.
 std::chrono::milliseconds milliseconds(double seconds) {
-  return std::chrono::milliseconds(static_cast<std::int64_t>(1000 * seconds));
+  constexpr double most = 1e9;
+  return std::chrono::milliseconds(static_cast<std::int64_t>(1000 * std::min(seconds, most)));
 }
 
 unsigned threads_of(const ExecutorOptions& options) {

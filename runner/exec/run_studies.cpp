@@ -111,6 +111,14 @@ RunEnd end_of(const RunReport& report, const ExecutorOptions& options, double pr
 
 }  // namespace
 
+RunReport& RunReport::operator+=(const RunReport& next) {
+  executed = sum_of(std::move(executed), next.executed);
+  reused += next.reused;
+  left_failed += next.left_failed;
+  signal = next.signal != 0 ? next.signal : signal;
+  return *this;
+}
+
 int RunReport::exit_code() const {
   if (left() > 0) return signal == SIGINT ? 130 : 75;
   return executed.failed + executed.failed_elsewhere + left_failed > 0 ? 1 : 0;

@@ -22,6 +22,8 @@ struct RunReport {
   std::int64_t left_failed = 0;  ///< failed before and left so
   int signal = 0;                ///< that stopped the run, or 0
 
+  /// What was done before counts as often as it was found.
+  RunReport& operator+=(const RunReport& next);
   std::int64_t left() const { return executed.left(); }
   /// 0 all decided, 1 some jobs failed, 75 stopped with work left, 130 interrupted.
   int exit_code() const;

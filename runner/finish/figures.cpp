@@ -13,6 +13,7 @@
 #include "runner/finish/calibration.hpp"
 #include "runner/finish/fields.hpp"
 #include "runner/finish/fits.hpp"
+#include "runner/study/critical_names.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -51,9 +52,9 @@ bool draw_history(const Study& study, const StudyResults& results, const FigureR
 /// families have several curves; one formula under the title would speak of one of them only.
 void add_extrapolated(const Study& study, const StudyResults& results, const FigureRequest& request,
                       analysis::Plot& plot) {
-  const std::string y = "critical_speed_extrapolated";
+  const std::string y = request.y + "_extrapolated";
   const auto fit =
-      std::ranges::find_if(study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == y; });
+      std::ranges::find_if(study.fits, [&](const FitRequest& f) { return f.x == request.x && same_result(f.y, y); });
   const auto families = group_jobs(study, results, curve_of(study, request.x, y));
   for (const Group& family : families) {
     Column c = column_of(results, family, request.x, y);
@@ -64,10 +65,20 @@ void add_extrapolated(const Study& study, const StudyResults& results, const Fig
   }
 }
 
-/// Of several families of critical speeds only those on their finest cell are drawn, with the extrapolated
+/// "Critical yield stress": of either name of a search's result.
+analysis::Quantity critical_label(const mpm::Quantity& searched) {
+  auto label = analysis::named_quantity(searched.name, searched.unit);
+  if (!label.name.empty() && label.name[0] >= 'A' && label.name[0] <= 'Z')
+    label.name[0] = static_cast<char>(label.name[0] - 'A' + 'a');
+  label.name = "Critical " + label.name;
+  return label;
+}
+
+/// Of several families of critical values only those on their finest cell are drawn, with the extrapolated
 /// ones: the coarser ones are in the table of brackets.
 bool is_left_out(const Study& study, const FigureRequest& request, const Group& group) {
-  if (request.y != "critical_speed" || std::ranges::find(study.swept, "cell_size") == study.swept.end())
+  if (critical_result(request.y) != CriticalResult::bracket ||
+      std::ranges::find(study.swept, "cell_size") == study.swept.end())
     return false;
   const auto cell = [](const mpm::Scene& s) { return s.numerics.cell_size; };
   const double finest = cell(*std::ranges::min_element(study.scenes, {}, cell));
@@ -82,19 +93,21 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   plot.title = request.title;
   plot.footer = footer_of(results);
   plot.x = analysis::named_quantity(request.x, mpm::find_quantity(request.x)->unit);
-  plot.y = analysis::named_quantity(request.y, unit_of(results, request.y));
+  plot.y = results.critical && critical_result(request.y)
+               ? critical_label(*results.critical)
+               : analysis::named_quantity(request.y, unit_of(results, request.y));
   const auto groups = group_jobs(study, results, curve_of(study, request.x, request.y));
   for (const Group& group : groups) {
     Column c = column_of(results, group, request.x, request.y);
     if (c.x.empty() || is_left_out(study, request, group)) continue;
     const auto fit = std::ranges::find_if(
-        study.fits, [&](const FitRequest& f) { return f.x == request.x && f.y == request.y; });
+        study.fits, [&](const FitRequest& f) { return f.x == request.x && same_result(f.y, request.y); });
     // Several groups have several curves; one formula under the title would speak of one of them only.
     if (groups.size() == 1 && fit != study.fits.end()) plot.fit = fit_column(*fit, c);
     plot.series.push_back({group.label.empty() ? "simulation" : group.label, std::move(c.x), std::move(c.y),
                            std::move(c.y_error)});
   }
-  if (request.y == "critical_speed") {
+  if (critical_result(request.y) == CriticalResult::bracket) {
     add_extrapolated(study, results, request, plot);
     plot.y_from_zero = !plot.fit;
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "libmpm/scene/parameters.hpp"
+#include "runner/study/critical_names.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -35,7 +36,7 @@ Column column_of(const StudyResults& results, const Group& group, const std::str
 }
 
 analysis::Fit fit_column(const FitRequest& request, const Column& c) {
-  const bool weighed = request.y == "critical_speed_extrapolated";
+  const bool weighed = critical_result(request.y) == CriticalResult::extrapolated;
   return analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y,
                                   weighed ? std::span<const double>(c.y_error) : std::span<const double>());
 }

@@ -65,6 +65,36 @@ std::string columns_of(const std::vector<std::string>& swept) {
   return columns;
 }
 
+/// Runs of an audit beside the runs that stopped early: the same in all that the search varies.
+std::string audit_sql(const Study& study) {
+  std::vector<std::string> varied = study.swept;
+  varied.push_back(study.search->critical);
+  std::string columns, same, order;
+  for (const std::string& name : varied) {
+    const mpm::Quantity* q = mpm::find_quantity(name);
+    const std::string column(q ? q->column : mpm::find_choice(name)->column);
+    columns += "a." + column + ", ";
+    same += " AND a." + column + " IS e." + column;
+    order += (order.empty() ? "" : ", ") + ("a." + column);
+  }
+  return "SELECT " + columns +
+         "e.outcome AS stopped_early, a.outcome AS run_to_end, substr(a.key, 1, 12) AS job FROM jobs a "
+         "JOIN jobs e ON e.study = ?1 AND a.study = e.study || '-audit'" +
+         same + " ORDER BY " + order;
+}
+
+/// What a study with [search] sweeps beside its cells, out of the JSON of the view `brackets`.
+std::string swept_of_brackets(const std::vector<std::string>& swept) {
+  std::string columns;
+  for (const std::string& name : swept) {
+    if (name == "cell_size") continue;
+    const mpm::Quantity* q = mpm::find_quantity(name);
+    const std::string column(q ? q->column : mpm::find_choice(name)->column);
+    columns += fmt::format("swept ->> '{0}' AS \"{0}\", ", column);
+  }
+  return columns;
+}
+
 /// Snapshots of a job as images of one scale.
 analysis::PageAnimation animation_of(const StudyResults& results, const JobResults& job,
                                      const std::string& field, const std::string& title) {
@@ -136,10 +166,10 @@ analysis::PageSection section_of(const Study& study, const fs::path& folder) {
   };
   if (study.search)
     add("Brackets",
-        "SELECT wall_thickness_m, cell_size_m, lower_m_s, upper_m_s, extrapolated_m_s, interval_m_s, runs, "
-        "flags, "
-        "substr(lower_key, 1, 12) AS lower_job, substr(upper_key, 1, 12) AS upper_job FROM critical_speed "
-        "WHERE study = ?1 ORDER BY position");
+        "SELECT " + swept_of_brackets(study.swept) +
+            "cell_size_m, quantity, unit, lower, upper, extrapolated, interval, runs, flags, "
+            "substr(lower_key, 1, 12) AS lower_job, substr(upper_key, 1, 12) AS upper_job FROM brackets "
+            "WHERE study = ?1 ORDER BY position");
   else
     add("Jobs",
         "SELECT " + columns_of(study.swept) +
@@ -147,13 +177,7 @@ analysis::PageSection section_of(const Study& study, const fs::path& folder) {
             "substr(key, 1, 12) AS job FROM jobs WHERE study = ?1 ORDER BY position");
   if (study.search)
     add("Audit: runs that stopped when decided, run to their end",
-        "SELECT a.wall_thickness_m, a.cell_size_m, a.impact_speed_m_s, e.outcome AS stopped_early, a.outcome "
-        "AS run_to_end, substr(a.key, 1, 12) AS job FROM jobs a JOIN jobs e ON e.study = ?1 AND a.study = "
-        "e.study || '-audit' AND a.wall_thickness_m = e.wall_thickness_m AND a.cell_size_m = e.cell_size_m "
-        "AND "
-        "a.impact_speed_m_s = e.impact_speed_m_s AND a.spall_strength_Pa IS e.spall_strength_Pa ORDER BY 1, "
-        "2, "
-        "3");
+        audit_sql(study));
   else
     add("Error bars from several cells",
         "SELECT " + columns_of(study.swept) +

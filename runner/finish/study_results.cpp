@@ -11,6 +11,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/plan/plan.hpp"
+#include "runner/study/critical_names.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -42,27 +43,48 @@ std::string label_of(const std::string& name, const mpm::Scene& scene) {
   return c ? std::string(c->allowed[c->get(scene)]) : name;
 }
 
-/// Of a study with [search]: one entry a bracket. The scene is that of the point.
+/// The key of the run at an end of a bracket; "" if there is no end.
+std::string key_at(mpm::Scene scene, const mpm::Quantity& critical, std::optional<double> end) {
+  if (!end) return "";
+  critical.set(scene, *end);
+  return job_key(scene);
+}
+
+std::string text(const SqlValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text ? *text : "";
+}
+
+/// Of a study with [search]: one entry for each bracket that its own runs prove. The scene is that of the
+/// point. Rows of an earlier form of the study have other keys at their ends and are left out.
 StudyResults read_brackets(const Study& study, const std::filesystem::path& folder) {
-  StudyResults results{study.name, folder, {}, study.scenes.size(), {}};
+  StudyResults results{study.name, folder, {}, 0, {}};
+  std::set<std::string> points;  // a value that the sweep has twice is searched once
+  for (const mpm::Scene& scene : study.scenes) points.insert(job_key(scene));
+  results.missing = points.size();
+  results.critical = mpm::find_quantity(study.search->critical);
   std::string drawn;
-  const SqlValue name = study.name;
-  const Rows rows = query(folder,
-                          "SELECT position, lower_m_s, upper_m_s, upper_key, extrapolated_m_s, interval_m_s "
-                          "FROM critical_speed WHERE study = ?1 ORDER BY position",
-                          std::span(&name, 1));
+  const SqlValue parameters[] = {study.name, study.search->critical};
+  const Rows rows =
+      query(folder,
+            "SELECT position, lower, upper, lower_key, upper_key, extrapolated, interval, flags "
+            "FROM brackets WHERE study = ?1 AND quantity = ?2 ORDER BY position",
+            parameters);
   for (const auto& row : rows.rows) {
     const auto position = static_cast<std::size_t>(std::get<std::int64_t>(row[0]));
-    if (position >= study.scenes.size()) continue;  // of an earlier form of the study
-    const double lower = number(row[1]).value_or(0), upper = number(row[2]).value_or(0);
-    JobResults job{std::get<std::string>(row[3]),
-                   study.scenes[position],
-                   Measured{0.5 * (lower + upper), 0.5 * (upper - lower)},
-                   {}};
-    if (const auto value = number(row[4])) job.extrapolated = Measured{*value, number(row[5])};
-    drawn += fmt::format("{} {:a} {:a} ", job.key, lower, upper);
-    results.done.push_back(std::move(job));
+    if (position >= study.scenes.size()) continue;
+    const mpm::Scene& scene = study.scenes[position];
+    const auto lower = number(row[1]), upper = number(row[2]);
+    if (key_at(scene, *results.critical, lower) != text(row[3]) ||
+        key_at(scene, *results.critical, upper) != text(row[4]))
+      continue;
     --results.missing;
+    drawn +=
+        fmt::format("{} {} {:a} {:a} ", text(row[4]), text(row[7]), lower.value_or(0), upper.value_or(0));
+    if (!lower || !upper) continue;  // looked for and not found
+    JobResults job{text(row[4]), scene, Measured{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)}, {}};
+    if (const auto value = number(row[5])) job.extrapolated = Measured{*value, number(row[6])};
+    results.done.push_back(std::move(job));
   }
   results.fingerprint = fmt::format("{:016x}", XXH3_64bits(drawn.data(), drawn.size()));
   return results;
@@ -105,8 +127,8 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
 
 std::optional<Measured> result_of(const StudyResults& results, const JobResults& job,
                                   const std::string& name) {
-  if (name == "critical_speed") return job.critical;
-  if (name == "critical_speed_extrapolated") return job.extrapolated;
+  if (const auto critical = critical_result(name))
+    return critical == CriticalResult::bracket ? job.critical : job.extrapolated;
   Rows rows;
   if (is_job_column(name)) {
     std::string error = "NULL";
@@ -127,7 +149,7 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
 }
 
 std::string unit_of(const StudyResults& results, const std::string& name) {
-  if (name.starts_with("critical_speed")) return "m/s";
+  if (results.critical && critical_result(name)) return std::string(results.critical->unit);
   if (is_job_column(name)) return name.ends_with("_m2") ? "m^2" : name.ends_with("_s") ? "s" : "1";
   const Rows rows = ask(results, "SELECT unit FROM metrics WHERE name = ?1 LIMIT 1", name);
   return rows.rows.empty() ? "1" : std::get<std::string>(rows.rows[0][0]);
@@ -171,7 +193,7 @@ std::vector<std::string> curve_of(const Study& study, const std::string& x, cons
   std::set<double> places;
   for (const mpm::Scene& scene : study.scenes) places.insert(mpm::find_quantity(x)->get(scene));
   if (places.size() == study.scenes.size()) return study.swept;
-  if (y == "critical_speed_extrapolated") return {x, "cell_size"};
+  if (critical_result(y) == CriticalResult::extrapolated) return {x, "cell_size"};
   return {x};
 }
 

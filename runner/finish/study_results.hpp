@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "libmpm/scene/parameters.hpp"
 #include "libmpm/simulation.hpp"
 #include "runner/study/study.hpp"
 
@@ -26,22 +27,23 @@ struct JobResults {
 };
 
 /// The done jobs of a study, in the order of its sweep, and how many are not done; of a study with [search],
-/// its brackets.
+/// the brackets that were found, and how many points have not been searched.
 struct StudyResults {
   std::string study;             ///< its name
   std::filesystem::path folder;  ///< the results folder
   std::vector<JobResults> done;
   std::size_t missing = 0;
   std::string fingerprint;  ///< of keys and results: 16 hexadecimal digits
+  const mpm::Quantity* critical = nullptr;  ///< what the study searches, or null
 };
 
 /// Throws CatalogError if there is no catalog.
 StudyResults read_results(const Study&, const std::filesystem::path& results);
 
-/// A result column of the view `jobs`, a name of the view `metrics`, or `critical_speed` and
-/// `critical_speed_extrapolated` of a search; empty where the job has none.
+/// A result column of the view `jobs`, a name of the view `metrics`, or one of a search
+/// (runner/study/critical_names.hpp); empty where the job has none.
 std::optional<Measured> result_of(const StudyResults&, const JobResults&, const std::string& name);
-/// SI unit of such a name: that of the metric, or what the column's name ends in.
+/// SI unit of such a name: that of the searched quantity, that of the metric, or what the column's name ends in.
 std::string unit_of(const StudyResults&, const std::string& name);
 
 std::vector<mpm::AreaSample> area_history_of(const StudyResults&, const JobResults&);

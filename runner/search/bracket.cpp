@@ -4,13 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+#include "runner/study/search_steps.hpp"
 
 namespace mpmstudy {
 
-Lattice::Lattice(double low, double high, double tolerance)
-    : lower(low),
-      upper(high),
-      intervals(std::max(1, static_cast<int>(std::ceil((high - low) / tolerance - 1e-9)))) {}
+namespace {
+
+/// So many runs without any verdict: the others will hardly have one.
+constexpr std::size_t most_blind = 9;
+/// So many failed runs between the ends of a bracket leave it as wide as it is.
+constexpr int most_broken = 12;
+
+}  // namespace
+
+Lattice::Lattice(double low, double high, double tolerance) : lower(low), upper(high) {
+  const double steps = search_steps(low, high, tolerance);
+  if (!(steps <= most_search_steps))
+    throw std::invalid_argument(
+        fmt::format("{:g} steps of a search, at most {:g}", steps, most_search_steps));
+  intervals = static_cast<int>(steps);
+}
 
 int Lattice::index(double v) const {
   const double i = std::round((v - lower) / (upper - lower) * intervals);
@@ -34,14 +50,54 @@ std::optional<Bracket> BracketSearch::bracket() const {
   return std::nullopt;
 }
 
-/// One side is known: steps away from it, as long as what is known is wide, so that they double.
+/// One side is known, or none: steps away from what is known, as long as that is wide, so that they double.
 std::vector<int> BracketSearch::outwards() const {
+  std::optional<int> above, below;
+  for (const auto& [index, told] : told_) {
+    if (told.verdict == Verdict::broken) continue;
+    if (told.verdict != Verdict::above)
+      below = index;
+    else if (!above)
+      above = index;
+  }
+  if (above) return downwards(*above);
+  if (below) return upwards(*below);
+  return without_verdict();
+}
+
+/// No lower end yet. Where the runs down to the lattice's end have failed, between them and the value above.
+std::vector<int> BracketSearch::downwards(int above) const {
   const int low = told_.begin()->first, high = told_.rbegin()->first;
-  const bool above =
-      std::ranges::any_of(told_, [](const auto& t) { return t.second.verdict == Verdict::above; });
+  const int next = std::max(0, low - std::max(guess_ ? guess_->step : 2, high - low));
+  if (!known(next)) return {next};
+  const auto at = told_.find(above);
+  if (at == told_.begin()) return {};
+  const int broken = std::prev(at)->first;
+  return above - broken > 1 ? std::vector<int>{broken + (above - broken) / 2} : std::vector<int>{};
+}
+
+/// The same for the upper end.
+std::vector<int> BracketSearch::upwards(int below) const {
+  const int low = told_.begin()->first, high = told_.rbegin()->first;
+  const int next = std::min(intervals_, high + std::max(guess_ ? guess_->step : 2, high - low));
+  if (!known(next)) return {next};
+  const auto beyond = told_.upper_bound(below);
+  if (beyond == told_.end()) return {};
+  const int broken = beyond->first;
+  return broken - below > 1 ? std::vector<int>{below + (broken - below) / 2} : std::vector<int>{};
+}
+
+/// All runs have failed: to one end, to the other, then into the widest gap.
+std::vector<int> BracketSearch::without_verdict() const {
+  const int low = told_.begin()->first, high = told_.rbegin()->first;
   const int step = std::max(guess_ ? guess_->step : 2, high - low);
-  const int next = above ? std::max(0, low - step) : std::min(intervals_, high + step);
-  return known(next) ? std::vector<int>{} : std::vector<int>{next};
+  for (const int next : {std::min(intervals_, high + step), std::max(0, low - step)})
+    if (!known(next)) return {next};
+  if (told_.size() >= most_blind) return {};
+  int from = 0, width = 1;
+  for (auto at = told_.begin(); std::next(at) != told_.end(); ++at)
+    if (const int gap = std::next(at)->first - at->first; gap > width) from = at->first, width = gap;
+  return width > 1 ? std::vector<int>{from + width / 2} : std::vector<int>{};
 }
 
 int BracketSearch::between(const Bracket& ends) const {
@@ -66,6 +122,9 @@ std::vector<int> BracketSearch::inwards(int low, int high, int most) const {
 
 std::vector<int> BracketSearch::next(int most) const {
   if (const auto found = bracket()) {
+    int broken = 0;
+    for (auto at = told_.upper_bound(found->lower); at->first < found->upper; ++at) ++broken;
+    if (broken >= most_broken) return {};
     if (most == 1 && found->upper - found->lower > 1)
       if (const int index = between(*found); !known(index)) return {index};
     return inwards(found->lower, found->upper, std::max(1, most));
@@ -82,9 +141,12 @@ std::string BracketSearch::flags(const Lattice& lattice) const {
   std::string text;
   const auto add = [&text](const std::string& flag) { text += (text.empty() ? "" : "; ") + flag; };
   if (!found) {
-    bool above = false;
-    for (const auto& [index, told] : told_) above |= told.verdict == Verdict::above;
-    add(above ? "no lower end" : "no upper end");
+    bool above = false, below = false;
+    for (const auto& [index, told] : told_) {
+      above |= told.verdict == Verdict::above;
+      below |= told.verdict == Verdict::below || told.verdict == Verdict::undecided;
+    }
+    add(above ? "no lower end" : below ? "no upper end" : "no run has a verdict");
   }
   for (const auto& [index, told] : told_) {
     const Verdict verdict = told.verdict;

@@ -15,6 +15,7 @@ struct Lattice {
   int intervals = 1;
 
   Lattice() = default;
+  /// Throws std::invalid_argument for more than most_search_steps.
   Lattice(double lower, double upper, double tolerance);
   double value(int i) const { return lower + (upper - lower) * i / intervals; }
   /// The nearest index, inside the lattice.
@@ -68,6 +69,9 @@ class BracketSearch {
  private:
   bool known(int index) const { return told_.contains(index); }
   std::vector<int> outwards() const;
+  std::vector<int> downwards(int above) const;
+  std::vector<int> upwards(int below) const;
+  std::vector<int> without_verdict() const;
   std::vector<int> inwards(int low, int high, int most) const;
   int between(const Bracket&) const;
 

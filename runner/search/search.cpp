@@ -11,7 +11,7 @@
 namespace mpmstudy {
 namespace {
 
-/// Runs of a round that are aimed at: one value a point, which needs the fewest runs; two where few points
+/// Runs of a round that are aimed at: one value per point, which needs the fewest runs; two where few points
 /// are left and workers would wait. A constant, not the number of workers: rounds must not depend on the
 /// machine.
 constexpr int runs_a_round = 4;
@@ -24,11 +24,17 @@ const mpm::Quantity* axis_of(const Study& study) {
   return nullptr;
 }
 
-/// The scene with the axis and the cell taken out: equal for the points of a family.
-std::string family_of(mpm::Scene scene, const mpm::Quantity* axis) {
-  if (axis) axis->set(scene, 0);
-  scene.numerics.cell_size = 0;
-  return canonical_text(scene);
+/// What else is swept, axis and cell apart: equal for the points of a family.
+std::vector<double> family_of(const Study& study, const mpm::Scene& scene, const mpm::Quantity* axis) {
+  std::vector<double> values;
+  for (const std::string& name : study.swept) {
+    if (name == "cell_size" || (axis && name == axis->name)) continue;
+    if (const mpm::Quantity* q = mpm::find_quantity(name))
+      values.push_back(q->get(scene));
+    else if (const mpm::Choice* c = mpm::find_choice(name))
+      values.push_back(static_cast<double>(c->get(scene)));
+  }
+  return values;
 }
 
 }  // namespace
@@ -39,10 +45,13 @@ Search::Search(const Study& study)
       half_(lattice_) {
   half_.intervals *= 2;
   const mpm::Quantity* axis = axis_of(study);
-  std::map<std::string, std::size_t> families;
-  for (const mpm::Scene& scene : study.scenes) {
-    const std::size_t family = families.emplace(family_of(scene, axis), families.size()).first->second;
-    SearchPoint point{scene, family, axis ? axis->get(scene) : 0, scene.numerics.cell_size, entries_.size()};
+  std::map<std::vector<double>, std::size_t> families;
+  std::set<std::string> points;  // a value that the sweep has twice is searched once
+  for (std::size_t position = 0; position < study.scenes.size(); ++position) {
+    const mpm::Scene& scene = study.scenes[position];
+    if (!points.insert(job_key(scene)).second) continue;
+    const std::size_t family = families.emplace(family_of(study, scene, axis), families.size()).first->second;
+    SearchPoint point{scene, family, axis ? axis->get(scene) : 0, scene.numerics.cell_size, position};
     entries_.push_back({std::move(point), {}, {}, {}});
   }
   std::ranges::stable_sort(entries_,

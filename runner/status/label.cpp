@@ -31,6 +31,7 @@ std::string counted(std::int64_t number, const std::string& noun) {
 
 std::string readable_duration(double seconds) {
   if (!(seconds >= 0)) return "?";
+  if (seconds > 1e12) return fmt::format("{:.1g} h", seconds / 3600);
   if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
   const auto whole = static_cast<long long>(std::llround(seconds));
   if (whole < 60) return fmt::format("{} s", whole);

@@ -40,6 +40,7 @@ class Reader {
     problems_.throw_if_any();
     study_.scenes = build_scenes(request_, Combinations(*sweep, swept, *jobs), problems_);
     problems_.throw_if_any();
+    if (study_.search && study_.ladder.cells > 1) sweep_ladder();
     return std::move(study_);
   }
 
@@ -184,12 +185,29 @@ class Reader {
   }
 
   void read_requests() {
-    const RequestContext context{kind_, fixed_, study_.ladder.cells};
+    study_.search = read_search(document_, kind_, units_, problems_);
+    const RequestContext context{kind_, fixed_, study_.ladder.cells,
+                                 study_.search ? study_.search->critical : ""};
     study_.fits = read_fits(document_, context, problems_);
     study_.figures = read_figures(document_, context, problems_);
-    study_.search = read_search(document_, kind_, units_, problems_);
     if (study_.search) place_search();
     study_.expectation = read_expectation(document_, units_, problems_);
+  }
+
+  /// A ladder under a search is a sweep of its cells: each is searched, the finer from the coarser ones, and
+  /// the brackets are extrapolated.
+  void sweep_ladder() {
+    std::vector<mpm::Scene> scenes;
+    for (const mpm::Scene& scene : study_.scenes)
+      for (int k = 0; k < study_.ladder.cells; ++k) {
+        scenes.push_back(scene);
+        scenes.back().numerics.cell_size =
+            finer_cell(scene.numerics.cell_size, study_.ladder.finds_cell ? k : k + 1 - study_.ladder.cells);
+      }
+    study_.scenes = std::move(scenes);
+    study_.ladder = {};
+    if (std::ranges::find(study_.swept, "cell_size") == study_.swept.end())
+      study_.swept.emplace_back("cell_size");
   }
 
   /// A searched quantity is not given; until a search says otherwise, scenes hold its lower bound.
@@ -201,6 +219,12 @@ class Reader {
                     {"is looked for and given", "remove " + name + " from the file, or [search]"});
       return;
     }
+    const Table* numerics = table("numerics");
+    if (const Entry* accuracy = numerics ? numerics->find("accuracy") : nullptr)
+      problems_.add("accuracy", accuracy->value,
+                    {"is of single runs, and the study has a [search]",
+                     "write ladder = 3 instead: a bracket on each of three cells, and the interval of the "
+                     "critical value"});
     request_.seeks_ejection = study_.search->outcome == "ejected" || study_.search->outcome == "arrested";
     Axis axis;
     axis.quantity = mpm::find_quantity(name);

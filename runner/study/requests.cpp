@@ -1,11 +1,16 @@
 #include "runner/study/requests.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
+#include "runner/study/critical_names.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/quantity_text.hpp"
+#include "runner/study/readable.hpp"
 #include "runner/study/schema.hpp"
+#include "runner/study/search_steps.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -58,8 +63,6 @@ constexpr std::string_view results[] = {"collapsibility",
                                         "ejecta_speed_m_s",
                                         "decision_time_s",
                                         "decision_margin",
-                                        "critical_speed",
-                                        "critical_speed_extrapolated",
                                         "hot_spot_work_J_m3",
                                         "hot_spot_temperature_K",
                                         "hot_spot_x_m",
@@ -115,6 +118,23 @@ std::string read_word(const Entry& parent, const Table& table, std::string_view 
   if (std::find(words.begin(), words.end(), *text) == words.end())
     problems.add(key, table.find(key)->value, unknown_word(*text, what, words));
   return *text;
+}
+
+/// y of a fit or an xy figure: a result, or what the study's [search] finds.
+std::string read_y(const Entry& parent, const Table& table, const RequestContext& context,
+                   Problems& problems) {
+  const Entry* entry = table.find("y");
+  const std::string* name = entry ? entry->value.string() : nullptr;
+  if (name && critical_result(*name)) {
+    if (context.critical.empty())
+      problems.add("y", entry->value, {"there is no [search]", "add one, or take a result of a run"});
+    else if (!critical_result(*name, context.critical))
+      problems.add(
+          "y", entry->value,
+          {"is not what [search] looks for", "allowed: " + listed(critical_names(context.critical))});
+    return *name;
+  }
+  return read_word(parent, table, "y", "result", all_results(), problems);
 }
 
 /// x of a fit or a figure: a quantity that the study varies.
@@ -185,6 +205,19 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
   search.place = entry->value.place.text();
 }
 
+/// A tolerance far below the bracket is a slip of the unit.
+void check_steps(const Table& table, const mpm::Quantity& row, const SearchRequest& search,
+                 Problems& problems) {
+  if (!(search.tolerance > 0) || !(search.upper > search.lower)) return;
+  const double steps = search_steps(search.lower, search.upper, search.tolerance);
+  if (steps <= most_search_steps) return;
+  problems.add("tolerance", table.find("tolerance")->value,
+               {fmt::format("makes {:.6g} steps between {} and {}", steps, readable(search.lower, row.unit),
+                            readable(search.upper, row.unit)),
+                fmt::format("allowed: at most {:.0f} steps, a tolerance of {} or more", most_search_steps,
+                            readable((search.upper - search.lower) / most_search_steps, row.unit))});
+}
+
 }  // namespace
 
 bool has_interval(std::string_view result) {
@@ -230,7 +263,7 @@ std::vector<FitRequest> read_fits(const Table& document, const RequestContext& c
   for_each_table(document, "fit", problems, [&](const Entry& entry, const Table& table) {
     FitRequest fit;
     fit.x = read_x(entry, table, context, problems);
-    fit.y = read_word(entry, table, "y", "result", all_results(), problems);
+    fit.y = read_y(entry, table, context, problems);
     fit.model = read_word(entry, table, "model", "model", models, problems);
     fits.push_back(fit);
   });
@@ -260,14 +293,17 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
     };
     if (figure.kind == "xy") {
       figure.x = read_x(entry, table, context, problems);
-      figure.y = read_word(entry, table, "y", "result", all_results(), problems);
+      figure.y = read_y(entry, table, context, problems);
     } else if (figure.kind == "fields") {
       refuse("x");
       figure.y = read_word(entry, table, "y", "field", all_fields(), problems);
     } else if (figure.kind == "calibration") {
       refuse("x");
       figure.y = read_word(entry, table, "y", "result", results_with_interval(), problems);
-      if (context.cells < cells_of_calibration)
+      if (!context.critical.empty())
+        problems.add("kind", table.find("kind")->value,
+                     {"is of single runs, and the study has a [search]", "remove the figure"});
+      else if (context.cells < cells_of_calibration)
         problems.add("kind", table.find("kind")->value,
                      {"needs a ladder of five cells or more", "write ladder = 5 in [numerics]"});
     } else if (figure.kind == "history") {
@@ -298,6 +334,7 @@ std::optional<SearchRequest> read_search(const Table& document, std::optional<mp
         read_bound("tolerance", tolerance->value, *row, mpm::Range::positive, units, problems).value_or(0);
   else
     problems.add(entry->place, "tolerance", {"missing", "give the width at which the search ends"});
+  check_steps(table, *row, search, problems);
   return search;
 }
 

@@ -16,7 +16,8 @@ namespace mpmstudy {
 struct RequestContext {
   std::optional<mpm::SceneKind> kind;
   std::vector<std::string> fixed;
-  int cells = 1;  ///< of the study's ladders
+  int cells = 1;         ///< of the study's ladders
+  std::string critical;  ///< what its [search] looks for; "": it has none
 };
 
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);

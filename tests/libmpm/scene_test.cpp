@@ -159,4 +159,31 @@ TEST(Run, BreakdownIsAResult) {
               HasSubstr("% of the mass is beyond the equation of state, pressure_limit = 2.7e+11 Pa"));
 }
 
+// The wall is kept as a difference of lengths; what was written comes back.
+TEST(Parameters, AWallHasTheThicknessThatWasWritten) {
+  const mpm::Quantity& wall = *mpm::find_quantity("wall_thickness");
+  mpm::Scene scene;
+  for (const double height : {4e-6, 6e-6, 11e-6, 1e-3})
+    for (const double radius : {1e-6, 1.5e-6, 0.7e-6})
+      for (const double thickness : {1e-6, 0.5e-6, 0.07e-6, 1.25e-6, 0.123456e-6, 0.0}) {
+        scene.block_height = height;
+        scene.cavity_radius = radius;
+        wall.set(scene, thickness);
+        EXPECT_EQ(wall.get(scene), thickness) << height << ' ' << radius;
+      }
+  scene.block_height = 5e-6;
+  scene.cavity_radius = 1e-6;
+  scene.cavity_center_height = 3e-6;
+  EXPECT_EQ(wall.get(scene), 1e-6);
+  scene.cavity_center_height = 4.5e-6;  // out of the block: find_problems says so
+  EXPECT_EQ(wall.get(scene), -0.5e-6);
+}
+
+// What no integer counts is no undefined number.
+TEST(Parameters, EstimatesOfAbsurdScenesAreLargeNumbers) {
+  mpm::Scene scene = scenes::cavity(0.2e-6);
+  scene.impact_speed = 1e300;
+  EXPECT_GT(mpm::estimate(scene).steps, std::int64_t(1) << 62);
+}
+
 }  // namespace

@@ -134,6 +134,80 @@ TEST_F(Opening, parameters_of_an_older_layout_move_into_their_jobs) {
   EXPECT_FALSE(db->tableExists("job_parameters"));
 }
 
+// Up to version 6 a bracket of any quantity was a speed; what it is of is told by the jobs that prove it.
+TEST_F(Opening, brackets_of_an_older_layout_are_of_the_quantity_that_their_jobs_differ_in) {
+  auto older = current_catalog_schema();
+  older.migrations.resize(6);
+  make_tables(results, older);
+  {
+    SQLite::Database db(path.string(), SQLite::OPEN_READWRITE);
+    for (const char* column : {"impact_speed_m_s", "yield_stress_Pa"})
+      db.exec("ALTER TABLE job ADD COLUMN " + std::string(column) +
+              " REAL; INSERT INTO parameter_column (name) VALUES ('" + column + "')");
+    db.exec(
+        "INSERT INTO study (id, name, title, updated_at) VALUES (1, 'fast', '', ''), (2, 'firm', '', '')");
+    const auto job = [&](const std::string& key, const std::string& speed, const std::string& yield) {
+      db.exec(
+          "INSERT INTO job (key, scene, material, snapshot_times, physics_version, predicted_particles, "
+          "predicted_steps, status, impact_speed_m_s, yield_stress_Pa) VALUES ('" +
+          key + "', 'cavity-impact', 'aluminium', '[]', 1, 1, 1, 'done', " + speed + ", " + yield + ")");
+    };
+    job("slow", "200", "3e8");
+    job("fast", "210", "3e8");
+    job("soft", "200", "1e8");
+    job("firm", "200", "2e8");
+    db.exec(
+        "INSERT INTO critical_speed_bracket VALUES (1, 0, 1e-6, 200, 210, 'slow', 'fast', 1e-7, 190, 20, '', "
+        "7),"
+        "(2, 0, NULL, 1e8, 2e8, 'soft', 'firm', 1e-7, NULL, NULL, 'failed at 3e+08', 9),"
+        "(2, 1, NULL, 300, 400, 'x', 'y', 1e-7, NULL, NULL, '', 5)");
+  }
+  const auto db = open_for_writing(results);
+  const auto one = [&](const std::string& sql) { return db->execAndGet(sql).getString(); };
+  EXPECT_EQ(
+      one("SELECT quantity || ' ' || unit || ' ' || lower || ' ' || upper || ' ' || swept || ' ' || runs "
+          "FROM brackets WHERE study = 'fast'"),
+      "impact_speed m/s 200.0 210.0 {\"wall_thickness_m\":1.0e-06} 7");
+  EXPECT_EQ(
+      one("SELECT quantity || ' ' || unit || ' ' || lower || ' ' || upper || ' ' || swept || ' ' || flags "
+          "FROM brackets WHERE study = 'firm' AND position = 0"),
+      "yield_stress Pa 100000000.0 200000000.0 {} failed at 3e+08");
+  EXPECT_EQ(one("SELECT quantity FROM brackets WHERE position = 1"), "impact_speed") << "as it was filed";
+  EXPECT_EQ(one("SELECT group_concat(lower_m_s) FROM critical_speed"), "200.0,300.0");
+  EXPECT_EQ(one("SELECT wall_thickness_m || ' ' || extrapolated_m_s || ' ' || interval_m_s FROM "
+                "critical_speed WHERE study = 'fast'"),
+            "1.0e-06 190.0 20.0");
+}
+
+// Up to version 6 a wall was stored as the difference of three lengths, with its rounding.
+TEST_F(Opening, walls_of_an_older_layout_get_the_thickness_that_was_written) {
+  auto older = current_catalog_schema();
+  older.migrations.resize(6);
+  make_tables(results, older);
+  {
+    SQLite::Database db(path.string(), SQLite::OPEN_READWRITE);
+    for (const char* column :
+         {"block_height_m", "cavity_center_height_m", "cavity_radius_m", "wall_thickness_m"})
+      db.exec("ALTER TABLE job ADD COLUMN " + std::string(column) +
+              " REAL; INSERT INTO parameter_column (name) VALUES ('" + column + "')");
+    db.exec(
+        "INSERT INTO job (key, scene, material, snapshot_times, physics_version, predicted_particles, "
+        "predicted_steps, status, block_height_m, cavity_center_height_m, cavity_radius_m, wall_thickness_m) "
+        "VALUES ('k', 'cavity-impact', 'aluminium', '[]', 1, 1, 1, 'done', 6e-6, 4e-6, 1e-6, 6e-6 - 4e-6 - "
+        "1e-6)");
+    db.exec("INSERT INTO study (id, name, title, updated_at) VALUES (1, 's', '', '')");
+    db.exec(
+        "INSERT INTO critical_speed_bracket VALUES (1, 0, 6e-6 - 4e-6 - 1e-6, 200, 210, 'k', 'k', 1e-7, "
+        "NULL, "
+        "NULL, '', 7)");
+    ASSERT_EQ(integer(db, "SELECT count(*) FROM job WHERE wall_thickness_m = 1e-6"), 0);
+  }
+  const auto db = open_for_writing(results);
+  EXPECT_EQ(integer(*db, "SELECT count(*) FROM jobs WHERE wall_thickness_m = 1e-6"), 1);
+  EXPECT_EQ(integer(*db, "SELECT count(*) FROM critical_speed WHERE wall_thickness_m = 1e-6"), 1);
+  EXPECT_EQ(integer(*db, "SELECT count(*) FROM brackets WHERE swept ->> 'wall_thickness_m' = 1e-6"), 1);
+}
+
 TEST_F(Opening, a_migration_that_fails_changes_nothing) {
   open_for_writing(results);
   auto next = current_catalog_schema();

@@ -336,8 +336,8 @@ TEST_F(Writer, fits_and_brackets_replace_those_before) {
   writer.replace_fits("s", {c0, c1});
   EXPECT_EQ(count("fits WHERE study = 's' AND against = 'cavity_radius'"), 2);
   EXPECT_EQ(count("fits WHERE standard_error IS NULL"), 1);
-  writer.replace_critical_speeds("s", {{2.1e-6, 200, 210, "a", "b", 1e-7, {}, {}, "", 0, 0}});
-  writer.replace_critical_speeds("s", {{2.1e-6, 200, 205, "a", "c", 1e-7, 190, 20, "", 6, 0}});
+  writer.replace_brackets("s", {{"impact_speed", "m/s", 200.0, 210.0, "a", "b", 1e-7}});
+  writer.replace_brackets("s", {{"impact_speed", "m/s", 200.0, 205.0, "a", "c", 1e-7, 190, 20, "", 6, 0}});
   EXPECT_EQ(one("SELECT upper_m_s FROM critical_speed"), SqlValue(205.0));
   EXPECT_THROW(writer.replace_fits("unknown", {}), CatalogError);
   writer.flush();  // an answer that was an error does not break the writer

@@ -185,8 +185,15 @@ TEST_F(Claims, FollowTheFitOfTheCriticalSpeed) {
         {{"critical_speed_extrapolated", "wall_thickness", "quadratic", "c0", 100, 1.0, r2, "m/s"},
          {"critical_speed_extrapolated", "wall_thickness", "quadratic", "c2", 3e13, 1e12, r2, "m/s/m^2"}});
   };
-  writer.replace_critical_speeds("critical-speed", {{1e-6, 400, 410, "a", "b", 1e-7, 390, 20, "", 5, 0},
-                                                    {2e-6, 600, 610, "a", "b", 1e-7, 590, 20, "", 5, 1}});
+  const auto bracket = [](std::int64_t position, double lower, double extrapolated, double wall) {
+    return BracketRow{"impact_speed", "m/s",        lower, lower + 10, "a",      "b",  1e-7,
+                      extrapolated,   20.0,         "",    5,          position, "{}", wall};
+  };
+  BracketRow nothing{"impact_speed", "m/s", {}, {}, "", "", 1e-7};  // not found: says nothing
+  nothing.position = 2;
+  nothing.wall_thickness = 3e-6;
+  writer.replace_brackets("critical-speed",
+                          {bracket(0, 400, 390, 1e-6), bracket(1, 600, 590, 2e-6), nothing});
   fit(0.999);
   EXPECT_EQ(judged("critical-speed-parabola").verdict, "holds");
   EXPECT_THAT(judged("critical-speed-parabola").measured, testing::HasSubstr("30.0, standard error 1.0"));

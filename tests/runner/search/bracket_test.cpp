@@ -1,9 +1,10 @@
 // The search for a critical value, against made-up verdicts.
 #include "runner/search/bracket.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <functional>
+#include <stdexcept>
 
 #include "runner/search/extrapolate.hpp"
 
@@ -125,6 +126,55 @@ TEST(BracketSearch, FlagsWhatFlipsBackWhatFailedAndWhatIsUndecided) {
   run(
       undecided, [](int i) { return i == 7 ? Verdict::undecided : from(8)(i); }, 3);
   EXPECT_EQ(undecided.flags(lattice), "lower end undecided");
+}
+
+TEST(Lattice, RefusesMoreStepsThanAnySearchNeeds) {
+  EXPECT_EQ(Lattice(0, 100'000, 1).intervals, 100'000);
+  EXPECT_THROW(Lattice(200, 2000, 1e-6), std::invalid_argument);
+  EXPECT_THROW(Lattice(200, 2000, 1e-300), std::invalid_argument);
+}
+
+// Runs fail from one value on, or up to one: the critical value is looked for where they do not.
+TEST(BracketSearch, TriesTheOtherEndWhereRunsFailAtOne) {
+  for (const int most : {1, 2, 3})
+    for (int critical = 5; critical < 175; critical += 10) {
+      const auto fails_above = [&](int i) { return i > critical + 3 ? Verdict::broken : from(critical)(i); };
+      const auto fails_below = [&](int i) { return i < critical - 3 ? Verdict::broken : from(critical)(i); };
+      for (const Truth& truth : {Truth(fails_above), Truth(fails_below)}) {
+        BracketSearch search(180), guessed(180, Guess{90, 4});
+        EXPECT_LT(run(search, truth, most), 40);
+        EXPECT_LT(run(guessed, truth, most), 40);
+        for (const auto* one : {&search, &guessed}) {
+          ASSERT_TRUE(one->bracket()) << critical << ' ' << most << ' ' << one->flags(Lattice(0, 180, 1));
+          EXPECT_EQ(one->bracket()->upper, critical);
+          EXPECT_EQ(one->bracket()->lower, critical - 1);
+        }
+      }
+    }
+}
+
+TEST(BracketSearch, EndsWhereRunsHaveNoVerdict) {
+  BracketSearch none(100'000);
+  EXPECT_LE(run(
+                none, [](int) { return Verdict::broken; }, 1),
+            9);
+  EXPECT_THAT(none.flags(Lattice(0, 100'000, 1)), testing::StartsWith("no run has a verdict; failed at 0; "));
+  BracketSearch low(100'000);  // what runs is below
+  EXPECT_LE(run(
+                low, [](int i) { return i > 12'345 ? Verdict::broken : Verdict::below; }, 1),
+            40);
+  EXPECT_THAT(low.flags(Lattice(0, 100'000, 1)), testing::StartsWith("no upper end; failed at "));
+  BracketSearch gap(100'000);  // all that lies between the verdicts fails
+  EXPECT_LE(run(
+                gap,
+                [](int i) {
+                  return i < 30'000 ? Verdict::below : i > 60'000 ? Verdict::above : Verdict::broken;
+                },
+                1),
+            60);
+  ASSERT_TRUE(gap.bracket());
+  EXPECT_LT(gap.bracket()->lower, 30'000);
+  EXPECT_GT(gap.bracket()->upper, 60'000);
 }
 
 TEST(Extrapolate, IsExactForFirstOrderAndCoversTheWayAndTheWidths) {

@@ -8,12 +8,16 @@
 #include <atomic>
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <mutex>
 #include <set>
+#include <sstream>
 
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/row_format.hpp"
+#include "runner/finish/figures.hpp"
+#include "runner/finish/fits.hpp"
 #include "tests/runner/fakes.hpp"
 #include "tests/runner/study/study_text.hpp"
 
@@ -47,8 +51,11 @@ double critical_speed(const mpm::Scene& s) {
 
 class SearchStudy : public testing::Test {
  protected:
-  SearchReport search(const std::filesystem::path& results, unsigned workers, double audit = 0) {
-    const Study study = read_text(text);
+  SearchReport search(const std::filesystem::path& results, unsigned workers, double audit = 0,
+                      ExecutorOptions executor = {}) {
+    const Study study = read_text(study_text);
+    executor.results = results;
+    executor.workers = workers;
     CatalogWriter writer(results);
     Status status;
     const Simulate simulate = [this](const mpm::Scene& s, mpm::Observer& o) {
@@ -66,10 +73,11 @@ class SearchStudy : public testing::Test {
       }
       const bool whole = s.measures.stop == mpm::Stop::end_time;
       r.outcome = s.impact_speed > critical_speed(s) || (whole && late) ? "ejected" : "arrested";
+      if (outcome) r.outcome = outcome(s);
       return r;
     };
     return run_search(study, {1e6, false, audit, {}}, writer, status, simulate, fakes::write_snapshot, flag,
-                      {results, workers});
+                      executor);
   }
   std::string rows(const std::filesystem::path& results) {
     std::ostringstream out;
@@ -82,8 +90,10 @@ class SearchStudy : public testing::Test {
   std::set<std::string> simulated;
   std::vector<double> cells;  ///< of the runs, in the order of their starts
   int stop_at = -1;
-  std::function<bool(const mpm::Scene&)> breaks;  ///< which runs fail
-  bool late = false;                              ///< runs to the end say "ejected" whatever the speed
+  std::function<bool(const mpm::Scene&)> breaks;          ///< which runs fail
+  std::function<std::string(const mpm::Scene&)> outcome;  ///< in place of that of the made-up material
+  std::string study_text = text;
+  bool late = false;  ///< runs to the end say "ejected" whatever the speed
 };
 
 TEST_F(SearchStudy, BracketsHoldTheCriticalSpeedAndNameTheirProofs) {
@@ -198,6 +208,215 @@ TEST_F(SearchStudy, AnAuditRunsASampleToTheEndAndNamesFalseStops) {
   const auto other = query(folder.path() / "wrong",
                            "SELECT count(*) FROM jobs WHERE study = 'critical' AND stop = 'end-time'");
   EXPECT_EQ(other.rows[0][0], SqlValue(std::int64_t(0)));
+}
+
+/// `text` with something else in place of a line that begins so.
+std::string with(std::string study, const std::string& begin, const std::string& line) {
+  const auto at = study.find("\n" + begin) + 1;
+  return study.replace(at, study.find('\n', at) - at, line);
+}
+
+constexpr const char* yield_text = R"(schema = 1
+name = "firm"
+scene = "cavity-impact"
+[parameters]
+material = "aluminium"
+block_width = "10 um"
+block_height = "11 um"
+cavity_radius = ["1 um", "1.5 um"]
+wall_thickness = "2 um"
+impact_speed = ["400 m/s", "500 m/s", "700 m/s"]
+end_time = "16 ns"
+[numerics]
+cell_size = "0.4 um"
+[search]
+critical = "yield_stress"
+outcome = "arrested"
+between = ["10 MPa", "3 GPa"]
+tolerance = "10 MPa"
+[[fit]]
+x = "impact_speed"
+y = "critical_yield_stress"
+model = "linear"
+[[figure]]
+name = "firm"
+kind = "xy"
+x = "impact_speed"
+y = "critical_yield_stress"
+)";
+
+double critical_yield(const mpm::Scene& s) { return 1e6 * s.impact_speed * s.cavity_radius * 1e6; }
+
+// Trial 4: pascals were filed, fitted and drawn as m/s.
+TEST_F(SearchStudy, OfAYieldStressIsFiledFittedAndDrawnInPascals) {
+  study_text = yield_text;
+  outcome = [](const mpm::Scene& s) {
+    return s.material.yield_stress >= critical_yield(s) ? "arrested" : "ejected";
+  };
+  EXPECT_EQ(search(folder.path(), 2).exit_code(), 0);
+  const auto found = query(folder.path(),
+                           "SELECT quantity, unit, lower, upper, swept ->> 'cavity_radius_m', swept ->> "
+                           "'impact_speed_m_s', swept FROM brackets WHERE study = 'firm' ORDER BY position");
+  ASSERT_EQ(found.rows.size(), 6u);
+  for (const auto& row : found.rows) {
+    EXPECT_EQ(row[0], SqlValue("yield_stress"));
+    EXPECT_EQ(row[1], SqlValue("Pa"));
+    const double critical = 1e6 * std::get<double>(row[5]) * std::get<double>(row[4]) * 1e6;
+    EXPECT_LT(std::get<double>(row[2]), critical);
+    EXPECT_GE(std::get<double>(row[3]), critical * (1 - 1e-12));
+  }
+  EXPECT_EQ(found.rows[0][6], SqlValue(R"({"cavity_radius_m":1e-06,"impact_speed_m_s":400.0})"));
+  EXPECT_TRUE(query(folder.path(), "SELECT * FROM critical_speed").rows.empty()) << "they are no speeds";
+
+  const Study study = read_text(study_text);
+  const StudyResults results = read_results(study, folder.path());
+  EXPECT_EQ(results.missing, 0u);
+  const Fits fits = fit_study(study, results);
+  EXPECT_TRUE(fits.problems.empty());
+  ASSERT_EQ(fits.rows.size(), 4u) << "a line for each radius";
+  EXPECT_EQ(fits.rows[1].quantity, "critical_yield_stress");
+  EXPECT_EQ(fits.rows[1].unit, "Pa/(m/s)");
+  EXPECT_NEAR(fits.rows[1].value, 1e6, 0.04e6);
+  EXPECT_NEAR(fits.rows[3].value, 1.5e6, 0.04e6);
+  draw_figures(study, results);
+  std::ifstream svg(folder.path() / "figures" / "firm.svg");
+  std::stringstream drawn;
+  drawn << svg.rdbuf();
+  EXPECT_THAT(drawn.str(), testing::HasSubstr("Critical yield stress"));
+  EXPECT_THAT(drawn.str(), testing::HasSubstr("GPa"));
+}
+
+TEST_F(SearchStudy, BracketsOfAnEarlierFormOfTheStudyAreNotItsOwn) {
+  search(folder.path(), 2);
+  Study study = read_text(study_text);
+  EXPECT_EQ(read_results(study, folder.path()).done.size(), 15u);
+  study_text = with(text, "wall_thickness", "wall_thickness = { values = [0.6, 1, 2, 3, 4], unit = \"um\" }");
+  const StudyResults results = read_results(read_text(study_text), folder.path());
+  EXPECT_EQ(results.done.size(), 12u);
+  EXPECT_EQ(results.missing, 3u);
+}
+
+// Trial 10: exit code 0 and no row.
+TEST_F(SearchStudy, WhatIsNotFoundHasARowAndAnExitCode) {
+  study_text = with(text, "between", "between = [\"600 m/s\", \"1000 m/s\"]");
+  for (int run = 0; run < 2; ++run) {
+    const SearchReport report = search(folder.path(), 2);
+    EXPECT_EQ(report.exit_code(), 1) << run;
+    EXPECT_GT(report.not_found(), 0);
+    simulated.clear();
+  }
+  const auto rows = query(folder.path(),
+                          "SELECT flags, count(*), count(lower), count(upper), count(lower_key), "
+                          "count(extrapolated) FROM brackets GROUP BY flags ORDER BY flags DESC");
+  ASSERT_EQ(rows.rows.size(), 3u);
+  EXPECT_EQ(rows.rows[0][0], SqlValue("no upper end"));
+  EXPECT_EQ(rows.rows[1][0], SqlValue("no lower end"));
+  for (int i = 0; i < 2; ++i)
+    for (int k = 2; k < 6; ++k) EXPECT_EQ(rows.rows[i][k], SqlValue(std::int64_t(0)));
+  EXPECT_EQ(query(folder.path(), "SELECT * FROM critical_speed").rows.size(), 15u);
+  const StudyResults results = read_results(read_text(study_text), folder.path());
+  EXPECT_EQ(results.missing, 0u) << "looked for and not found is not missing";
+  EXPECT_EQ(results.done.size(), 15u - static_cast<std::size_t>(std::get<std::int64_t>(rows.rows[0][1]) +
+                                                                std::get<std::int64_t>(rows.rows[1][1])));
+}
+
+// Trial 10: 1 the first time, 0 again.
+TEST_F(SearchStudy, FailedJobsHaveTheSameExitCodeEveryTime) {
+  breaks = [](const mpm::Scene& s) { return s.impact_speed > 1500; };
+  const SearchReport first = search(folder.path(), 2);
+  EXPECT_EQ(first.exit_code(), 1);
+  EXPECT_EQ(first.run.left_failed, 0);
+  const SearchReport again = search(folder.path(), 2);
+  EXPECT_EQ(again.exit_code(), 1);
+  EXPECT_EQ(again.run.executed.failed, 0);
+  EXPECT_EQ(again.run.left_failed, first.run.executed.failed);
+  EXPECT_EQ(again.run.reused, first.run.executed.done);
+}
+
+// Trial 9: rounds of jobs that are all done went on.
+TEST_F(SearchStudy, ASignalEndsTheRounds) {
+  search(folder.path(), 2);
+  flag.ask(SIGTERM);
+  const SearchReport stopped = search(folder.path(), 2);
+  EXPECT_GT(stopped.run.left(), 0);
+  EXPECT_EQ(stopped.exit_code(), 75);
+  EXPECT_TRUE(stopped.brackets.empty());
+}
+
+TEST_F(SearchStudy, TheBudgetIsThatOfAllRounds) {
+  ExecutorOptions executor;
+  executor.budget_s = 1e-6;
+  const SearchReport report = search(folder.path(), 1, 0, executor);
+  EXPECT_EQ(report.exit_code(), 75);
+  EXPECT_TRUE(report.run.executed.budget_spent);
+}
+
+TEST_F(SearchStudy, AValueThatTheSweepHasTwiceIsSearchedOnce) {
+  study_text = with(text, "wall_thickness", "wall_thickness = [\"1 um\", \"2 um\", \"1 um\"]");
+  EXPECT_EQ(search(folder.path(), 2).brackets.size(), 6u);
+  const StudyResults results = read_results(read_text(study_text), folder.path());
+  EXPECT_EQ(results.done.size(), 6u);
+  EXPECT_EQ(results.missing, 0u);
+  for (const JobResults& job : results.done)
+    EXPECT_TRUE(!job.extrapolated || std::isfinite(job.extrapolated->value));
+}
+
+TEST_F(SearchStudy, ALadderOfCellsIsASweepOfThemAndGivesAnInterval) {
+  study_text = with(text, "cell_size", "cell_size = \"0.1 um\"\nladder = 3");
+  EXPECT_EQ(search(folder.path(), 2).exit_code(), 0);
+  const auto rows = query(folder.path(),
+                          "SELECT count(*), count(DISTINCT cell_size_m), count(interval), max(cell_size_m) / "
+                          "min(cell_size_m) FROM brackets");
+  EXPECT_EQ(rows.rows[0][0], SqlValue(std::int64_t(15)));
+  EXPECT_EQ(rows.rows[0][1], SqlValue(std::int64_t(3)));
+  EXPECT_EQ(rows.rows[0][2], SqlValue(std::int64_t(5)));
+  EXPECT_NEAR(std::get<double>(rows.rows[0][3]), 2, 1e-12);
+}
+
+TEST_F(SearchStudy, AForecastIsNearWhatRunsAndKnowsWhatHasRun) {
+  const Study study = read_text(study_text);
+  const SearchForecast before = forecast_search(study, folder.path(), false);
+  search(folder.path(), 2);
+  const int ran = static_cast<int>(simulated.size());
+  EXPECT_LE(before.fewest, before.runs);
+  EXPECT_GE(before.most, before.runs);
+  EXPECT_NEAR(before.runs, ran, 0.3 * ran);
+  const SearchForecast after = forecast_search(study, folder.path(), false);
+  EXPECT_EQ(after.most, 0);
+  EXPECT_TRUE(after.rounds.empty());
+}
+
+TEST(RunReport, ASumHasAllParts) {
+  RunReport a, b;
+  b.executed.done = 1;
+  b.executed.failed = 2;
+  b.executed.stopped = 3;
+  b.executed.untouched = 4;
+  b.executed.done_elsewhere = 5;
+  b.executed.failed_elsewhere = 6;
+  b.executed.updates = 7;
+  b.executed.cpu_s = 8;
+  b.executed.predicted_s = 9;
+  b.executed.budget_spent = true;
+  b.executed.storage_error = "full";
+  b.reused = 10;
+  b.left_failed = 11;
+  b.signal = SIGTERM;
+  a += b;
+  a += b;
+  EXPECT_EQ(a.executed.done, 2);
+  EXPECT_EQ(a.executed.failed, 4);
+  EXPECT_EQ(a.left(), 14);
+  EXPECT_EQ(a.executed.done_elsewhere, 10);
+  EXPECT_EQ(a.executed.failed_elsewhere, 12);
+  EXPECT_EQ(a.executed.updates, 14);
+  EXPECT_EQ(a.executed.cpu_s, 16);
+  EXPECT_EQ(a.executed.predicted_s, 18);
+  EXPECT_TRUE(a.executed.budget_spent);
+  EXPECT_EQ(a.executed.storage_error, "full");
+  EXPECT_EQ(a.reused, 20);
+  EXPECT_EQ(a.left_failed, 22);
+  EXPECT_EQ(a.signal, SIGTERM);
 }
 
 }  // namespace

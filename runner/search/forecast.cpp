@@ -1,0 +1,107 @@
+#include "runner/search/forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "libmpm/scene/parameters.hpp"
+#include "runner/plan/plan.hpp"
+#include "runner/search/search.hpp"
+#include "runner/study/search_steps.hpp"
+
+namespace mpmstudy {
+namespace {
+
+using Rounds = std::vector<std::vector<mpm::Scene>>;
+
+/// Critical values about one place of the lattice, each point a little off it, and never against what is
+/// known.
+class MadeUpValues {
+ public:
+  MadeUpValues(const SearchRequest& request, double place)
+      : critical_(*mpm::find_quantity(request.critical)), lower_(request.lower) {
+    const double width = request.upper - request.lower;
+    middle_ = request.lower + place * width;
+    scatter_ = std::max(2 * width / search_steps(request.lower, request.upper, request.tolerance),
+                        std::abs(middle_) / 30);
+  }
+
+  void learn(const mpm::Scene& scene, Verdict verdict) {
+    if (verdict == Verdict::broken) return;
+    auto& [below, above] = known_[point_of(scene)];
+    const double value = critical_.get(scene);
+    if (verdict == Verdict::above)
+      above = std::min(above, value);
+    else
+      below = std::max(below, value);
+  }
+
+  Verdict verdict_of(const mpm::Scene& scene) {
+    const std::string point = point_of(scene);
+    const auto& [below, above] = known_[point];
+    const double value = critical_.get(scene);
+    if (value <= below) return Verdict::below;
+    if (value >= above) return Verdict::above;
+    const double turns =
+        static_cast<double>(std::stoul(point.substr(0, 4), nullptr, 16) % 5) - 2;  // -2 ... 2
+    return value > middle_ + 0.5 * turns * scatter_ ? Verdict::above : Verdict::below;
+  }
+
+ private:
+  struct Ends {
+    double below = -std::numeric_limits<double>::infinity(), above = std::numeric_limits<double>::infinity();
+  };
+  /// A name for the scene without its critical value.
+  std::string point_of(mpm::Scene scene) const {
+    critical_.set(scene, lower_);
+    return job_key(scene);
+  }
+
+  const mpm::Quantity& critical_;
+  double lower_ = 0, middle_ = 0, scatter_ = 0;
+  std::map<std::string, Ends> known_;
+};
+
+/// The search with critical values about one place; the scenes that are not known yet, round by round.
+Rounds play(const Study& study, const KnownVerdict& known, double place) {
+  MadeUpValues values(*study.search, place);
+  Rounds rounds;
+  Search search(study);
+  for (auto scenes = search.next_round(); !scenes.empty(); scenes = search.next_round()) {
+    std::vector<mpm::Scene> open;
+    for (const mpm::Scene& scene : scenes) {
+      const std::string key = job_key(scene);
+      const auto verdict = known ? known(key) : std::nullopt;
+      if (verdict)
+        values.learn(scene, *verdict);
+      else
+        open.push_back(scene);
+      search.tell(key, verdict ? *verdict : values.verdict_of(scene));
+    }
+    if (!open.empty()) rounds.push_back(std::move(open));
+  }
+  return rounds;
+}
+
+int count(const Rounds& rounds) {
+  int runs = 0;
+  for (const auto& round : rounds) runs += static_cast<int>(round.size());
+  return runs;
+}
+
+}  // namespace
+
+SearchForecast forecast_search(const Study& study, const KnownVerdict& known) {
+  SearchForecast forecast;
+  forecast.rounds = play(study, known, 0.5);
+  forecast.runs = forecast.fewest = forecast.most = count(forecast.rounds);
+  for (const double place : {0.05, 0.2, 0.35, 0.65, 0.8, 0.95}) {
+    const int runs = count(play(study, known, place));
+    forecast.fewest = std::min(forecast.fewest, runs);
+    forecast.most = std::max(forecast.most, runs);
+  }
+  return forecast;
+}
+
+}  // namespace mpmstudy

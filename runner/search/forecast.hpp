@@ -1,0 +1,28 @@
+#pragma once
+/// What a search will run, before it has run: made-up verdicts in place of those that are not known yet.
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runner/search/bracket.hpp"
+#include "runner/study/study.hpp"
+
+namespace mpmstudy {
+
+struct SearchForecast {
+  /// Scenes that would run, round by round, if the critical values lay in the middle of the lattice.
+  std::vector<std::vector<mpm::Scene>> rounds;
+  int runs = 0;              ///< of these
+  int fewest = 0, most = 0;  ///< over critical values from one end of the lattice to the other
+};
+
+/// What is known of a run, by its key; empty: it has not run.
+using KnownVerdict = std::function<std::optional<Verdict>(const std::string& key)>;
+
+/// Plays the search through for critical values at several places of the lattice. Those of neighbours and of
+/// finer cells are as far from where the search begins to look as was seen in real ones: up to a thirtieth.
+/// Runs whose verdicts are known are not counted.
+SearchForecast forecast_search(const Study&, const KnownVerdict& known = {});
+
+}  // namespace mpmstudy
