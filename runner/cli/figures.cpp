@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "runner/finish/figures.hpp"
+#include "runner/slurm/shell_word.hpp"
 
 namespace mpmstudy {
 
@@ -27,7 +28,7 @@ int run_figures(const FiguresOptions& options) {
     if (results.missing == 0) continue;
     complete = false;
     fmt::print(stderr, "{}: {} of {} jobs are not done; `mpmstudy run {}` runs them\n", study.name,
-               results.missing, study.scenes.size(), file);
+               results.missing, study.scenes.size(), shell_word(file));
   }
   return complete ? exit_ok : exit_stopped;
 }

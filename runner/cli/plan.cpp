@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "runner/catalog/reader.hpp"
 #include "runner/cli/print_search.hpp"
+#include "runner/exec/processors.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/ladder.hpp"
@@ -260,8 +260,7 @@ void setup_plan(CLI::App& app) {
 }
 
 int run_plan(const PlanOptions& options) {
-  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int workers = options.workers > 0 ? options.workers : processors;
+  const int workers = options.workers > 0 ? options.workers : usable_processors();
   const Study study = read_study(options.file, options.study);
   const Plan plan = make_plan(study, CostModel(measured_costs(options.results)));
   if (options.json)

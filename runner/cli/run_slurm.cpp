@@ -3,20 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
-#include <thread>
+#include <random>
 
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/timestamp.hpp"
 #include "runner/cli/amounts.hpp"
+#include "runner/cli/merge.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/ladder/climbs.hpp"
 #include "runner/slurm/queue.hpp"
 #include "runner/slurm/shards.hpp"
+#include "runner/slurm/submit.hpp"
 #include "runner/status/label.hpp"
 
 namespace mpmstudy {
@@ -48,7 +50,15 @@ SlurmScripts scripts_for(const RunOptions& options, const Study& study, std::siz
   s.study = study.name;
   s.program = fs::read_symlink("/proc/self/exe").string();
   s.results = results.string();
-  s.folder = (results / "slurm" / submission_name(study.name)).string();
+  const std::string name = submission_name(study.name);
+  s.folder = (results / "slurm" / name).string();
+  // Results folders of one Slurm may submit studies of one name at one moment.
+  s.job_name = fmt::format("mpmstudy-{}-{:08x}", name, std::random_device{}());
+  s.clusters = clusters_of(options.slurm.options);
+  if (s.clusters.empty())
+    for (const char* variable : {"SBATCH_CLUSTERS", "SLURM_CLUSTERS"})
+      if (const char* value = std::getenv(variable); value != nullptr && s.clusters.empty())
+        s.clusters = value;
   s.shards = shards;
   s.workers = workers;
   s.round = round;
@@ -69,12 +79,22 @@ SlurmScripts scripts_for(const RunOptions& options, const Study& study, std::siz
   return s;
 }
 
-/// Keys that are decided, or wait in the queue. Without a catalog: none.
-std::set<std::string> settled_keys(const std::string& results, const std::vector<Submission>& submissions) {
-  auto keys = queued_keys(submissions);
+/// Throws StudyError for what cannot be written into a script.
+void check_scripts(const RunOptions& options) {
+  for (const auto& option : options.slurm.options)
+    if (const auto wrong = wrong_option(option); !wrong.empty())
+      throw StudyError("--slurm=" + option + ": " + wrong);
+  const std::string results = fs::absolute(options.results).lexically_normal().string();
+  if (const auto wrong = wrong_path(results); !wrong.empty())
+    throw StudyError("--results " + results + ": " + wrong);
+}
+
+/// Keys of the catalog's jobs that are in one of these states. Without a catalog: none.
+std::set<std::string> keys_with(const std::string& results, const std::string& states) {
+  std::set<std::string> keys;
   if (fs::exists(catalog_path(results)))
     for (const auto& row :
-         query(results, "SELECT DISTINCT key FROM jobs WHERE status IN ('done', 'failed')").rows)
+         query(results, "SELECT DISTINCT key FROM jobs WHERE status IN (" + states + ")").rows)
       keys.insert(std::get<std::string>(row[0]));
   return keys;
 }
@@ -101,20 +121,116 @@ int round_of(const RunOptions& options, const std::string& study, const std::vec
   return again ? options.slurm.round : 1;
 }
 
-/// Deals the jobs out and submits what is not in the queue yet.
-int submit_jobs(const RunOptions& options, const Study& study, const std::vector<Job>& jobs) {
-  const auto submissions = read_submissions(options.results);
-  if (!options.dry_run)
-    for (const auto& id : release_stranded(submissions))
-      fmt::print("{}: Slurm could not start element {} and held it; it is released\n", study.name, id);
-  const auto settled = settled_keys(options.results, submissions);
-  std::vector<const Job*> open;
-  for (const auto& job : jobs)
-    if (!settled.contains(job.key)) open.push_back(&job);
-  if (open.empty()) {
-    fmt::print("{}: what is left is in the queue; `mpmstudy status` shows it\n", study.name);
-    return exit_ok;
+/// How the jobs of a study stand, seen from the queue.
+struct Standing {
+  std::vector<const Job*> to_submit;
+  std::size_t queued = 0;
+  std::size_t doubtful = 0;   ///< of a submission that may be in the queue
+  std::size_t elsewhere = 0;  ///< another `mpmstudy run` is at them
+  std::size_t open() const { return to_submit.size() + queued + doubtful + elsewhere; }
+};
+
+Standing standing_of(const RunOptions& options, const std::vector<Job>& jobs,
+                     const std::vector<Submission>& submissions) {
+  std::set<std::string> doubtful;
+  for (const auto& submission : submissions)
+    if (!submission.unknown.empty()) doubtful.merge(keys_of(submission));
+  const auto queued = queued_keys(submissions);
+  // A dry run has not planned failed jobs again, nor those of a process that is gone.
+  const auto decided =
+      keys_with(options.results, options.dry_run && options.retry_failed ? "'done'" : "'done', 'failed'");
+  const auto running = options.dry_run ? std::set<std::string>{} : keys_with(options.results, "'running'");
+  Standing standing;
+  for (const auto& job : jobs) {
+    if (decided.contains(job.key)) continue;
+    if (doubtful.contains(job.key))
+      ++standing.doubtful;
+    else if (queued.contains(job.key))
+      ++standing.queued;
+    else if (running.contains(job.key))
+      ++standing.elsewhere;
+    else
+      standing.to_submit.push_back(&job);
   }
+  return standing;
+}
+
+/// What is open beside the jobs that are submitted now, and the exit code that it asks for.
+int print_standing(const Standing& standing, const Study& study) {
+  const auto jobs = [](std::size_t n) { return counted(static_cast<std::int64_t>(n), "job"); };
+  if (standing.open() == 0)
+    fmt::print("{}: nothing is left to submit: {}\n", study.name,
+               study.search || study.ladder.cells > 1
+                   ? "these jobs are decided; a run sees what is asked for next"
+                   : "every job is decided");
+  if (standing.queued > 0)
+    fmt::print("{}: {} in the queue already; `mpmstudy status` shows it\n", study.name,
+               jobs(standing.queued));
+  if (standing.elsewhere > 0)
+    fmt::print(stderr, "{}: {} not submitted: another `mpmstudy run` is at work on them\n", study.name,
+               jobs(standing.elsewhere));
+  if (standing.doubtful > 0)
+    fmt::print(stderr, "{}: {} not submitted: they may be in the queue; run again when Slurm answers\n",
+               study.name, jobs(standing.doubtful));
+  return standing.doubtful + standing.elsewhere > 0 ? exit_stopped : exit_ok;
+}
+
+void print_doubts(const std::vector<Submission>& submissions) {
+  for (const auto& s : submissions)
+    if (!s.unknown.empty())
+      fmt::print(stderr, "{}: not known whether it is in the queue: {}\n", s.folder.string(), s.unknown);
+}
+
+/// Sees to the submissions of a study: releases what Slurm holds, asks again for merges that are not in the
+/// queue, and takes over the shards of arrays that have ended without one.
+int tend(const RunOptions& options, const Study& study, std::vector<Submission>& submissions) {
+  int code = exit_ok;
+  const Released released = release_stranded(submissions);
+  for (const auto& id : released.ids)
+    fmt::print("{}: Slurm could not start element {} and held it; it is released\n", study.name, id);
+  for (const auto& refusal : released.refusals) {
+    fmt::print(stderr, "{}: Slurm holds an element and does not release it: {}\n", study.name, refusal);
+    code = exit_stopped;
+  }
+  for (auto& s : submissions) {
+    if (s.record.study != study.name || !s.unknown.empty() || s.merge_queued) continue;
+    if (s.array_queued()) {
+      std::vector<std::string> notes;
+      const std::string trouble = submit_merge(s, notes);
+      for (const auto& text : notes) fmt::print(stderr, "sbatch: {}\n", text);
+      if (trouble.empty()) {
+        fmt::print("{}: array {} had no merge in the queue: merge {} is submitted\n", study.name,
+                   s.record.array_id, s.record.merge_id);
+      } else {
+        fmt::print(stderr, "{}: {}\n", study.name, trouble);
+        code = exit_stopped;
+      }
+      continue;
+    }
+    if (s.record.array_id.empty() && s.whole == 0) {
+      fmt::print("{}: Slurm did not take {}\n", study.name, s.folder.string());
+      close_submission(s.folder);
+      continue;
+    }
+    const auto shards = whole_shards(s);
+    fmt::print("{}: {} is no longer in the queue and was not merged: {} of {} shards are whole\n", study.name,
+               s.folder.string(), shards.size(), s.record.shards);
+    MergeOptions merge{{}, options.results};
+    for (const auto& shard : shards) merge.folders.push_back(shard.string());
+    if (!shards.empty() && run_merge(merge) != exit_ok) code = exit_failed;
+    close_submission(s.folder);
+  }
+  return code;
+}
+
+/// Deals the jobs out and submits what is not in the queue yet.
+int submit_jobs(const RunOptions& options, const Study& study, const std::vector<Job>& jobs,
+                const std::vector<Submission>& submissions) {
+  print_doubts(submissions);
+  const Standing standing = standing_of(options, jobs, submissions);
+  const auto& open = standing.to_submit;
+  const int code = print_standing(standing, study);
+  if (open.empty()) return code;
   const int round = round_of(options, study.name, open);
   if (round > options.slurm.rounds) {
     fmt::print(stderr, "{}: {} left after {}; run again to go on\n", study.name,
@@ -128,7 +244,7 @@ int submit_jobs(const RunOptions& options, const Study& study, const std::vector
   const SlurmScripts scripts = scripts_for(options, study, shards.size(), workers, round);
   if (options.dry_run) {
     fmt::print("{}\n{}", array_script(scripts), merge_script(scripts));
-    return exit_ok;
+    return code;
   }
   print_shards(scripts, shards);
   std::vector<std::vector<std::string>> keys;
@@ -137,14 +253,24 @@ int submit_jobs(const RunOptions& options, const Study& study, const std::vector
     for (const Job* job : shard.jobs) keys.back().push_back(job->key);
   }
   try {
-    const Submission submission = submit(scripts, study.path, keys);
-    fmt::print("submitted: array {}, merge {}; {}\n", submission.array_id, submission.merge_id,
-               submission.folder.string());
+    const SubmitOutcome outcome = submit(scripts, study.path, keys);
+    const Submission& submission = outcome.submission;
+    for (const auto& text : outcome.notes) fmt::print(stderr, "sbatch: {}\n", text);
+    if (outcome.trouble.empty()) {
+      fmt::print("submitted: array {}, merge {}; {}\n", submission.record.array_id,
+                 submission.record.merge_id, submission.folder.string());
+      return code;
+    }
+    fmt::print(stderr, "{}: {}\n", study.name, outcome.trouble);
+    if (outcome.folder_kept)
+      fmt::print(stderr, "{}: run again, and Slurm is asked for it first; its folder is {}\n", study.name,
+                 submission.folder.string());
+    else
+      fmt::print(stderr, "{}: nothing is submitted\n", study.name);
   } catch (const std::runtime_error& error) {
     fmt::print(stderr, "{}: {}\n", study.name, error.what());
-    return exit_stopped;
   }
-  return exit_ok;
+  return exit_stopped;
 }
 
 /// What is left of a study once it is registered: its open jobs, or the next ones of its ladders.
@@ -165,13 +291,19 @@ std::vector<Job> open_jobs(const PlannedStudy& planned, const RunOptions& option
 
 int run_on_slurm(const RunOptions& options, const Study& study, const PlannedStudy& planned,
                  const RunSeams& seams) {
-  if (options.dry_run) return submit_jobs(options, study, first_jobs(planned.plan));
+  check_scripts(options);
+  if (options.dry_run)
+    return submit_jobs(options, study, first_jobs(planned.plan), read_submissions(options.results));
+  const SubmitLock lock(options.results);
+  auto submissions = read_submissions(options.results);
+  const int tended = tend(options, study, submissions);
+  std::erase_if(submissions, [](const Submission& s) { return is_closed(s.folder); });
   WriterOptions writer_options;
   writer_options.store.git_revision = git_revision();
   CatalogWriter writer(options.results, writer_options);
   Registration registered;
   const auto jobs = open_jobs(planned, options, writer, registered);
-  if (!jobs.empty()) return submit_jobs(options, study, jobs);
+  if (!jobs.empty()) return std::max(tended, submit_jobs(options, study, jobs, submissions));
   fmt::print("{}: {} done, {} failed, none left\n", study.name, registered.done, registered.failed);
   if (seams.finish_study) seams.finish_study(study, options.results, writer);
   return registered.failed > 0 ? exit_failed : exit_ok;
@@ -179,12 +311,17 @@ int run_on_slurm(const RunOptions& options, const Study& study, const PlannedStu
 
 int search_on_slurm(const RunOptions& options, const Study& study, const SearchOptions& search,
                     const RunSeams& seams) {
+  check_scripts(options);
   if (options.dry_run) {
     Search first(study);
     Study round = study;
     round.scenes = first.next_round();
-    return submit_jobs(options, study, make_plan(round, search.cost).jobs);
+    return submit_jobs(options, study, make_plan(round, search.cost).jobs, read_submissions(options.results));
   }
+  const SubmitLock lock(options.results);
+  auto submissions = read_submissions(options.results);
+  const int tended = tend(options, study, submissions);
+  std::erase_if(submissions, [](const Submission& s) { return is_closed(s.folder); });
   WriterOptions writer_options;
   writer_options.store.git_revision = git_revision();
   CatalogWriter writer(options.results, writer_options);
@@ -197,7 +334,7 @@ int search_on_slurm(const RunOptions& options, const Study& study, const SearchO
     report.left_failed = registered.failed;
     report.executed.untouched =
         static_cast<std::int64_t>(registered.to_run.size()) + registered.running_elsewhere;
-    if (report.left() > 0) code = submit_jobs(options, study, jobs);
+    if (report.left() > 0) code = std::max(tended, submit_jobs(options, study, jobs, submissions));
     return report;
   };
   const SearchReport report = run_search(study, search, writer, options.results, submit_round);

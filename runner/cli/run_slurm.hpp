@@ -8,8 +8,11 @@
 namespace mpmstudy {
 
 /// Registers the study, deals its open jobs out to shards, submits; --dry-run prints the scripts and writes
-/// nothing. Jobs that are in the queue already are left there. exit_ok when all is submitted or done;
-/// exit_stopped when work is left and --rounds are over, or sbatch refuses.
+/// nothing. Jobs that are in the queue already, or may be there, are left there. Before that it sees to
+/// earlier submissions: a merge that is lost is asked for again, an array that has ended without one is taken
+/// over. exit_ok when all that is left is in the queue for sure, or nothing is left; exit_failed when all is
+/// decided and some jobs failed; exit_stopped when work is left that is not in the queue for sure: --rounds
+/// are over, sbatch refuses, Slurm does not answer.
 int run_on_slurm(const RunOptions&, const Study&, const PlannedStudy&, const RunSeams&);
 
 /// The same for a study with [search]: each submission is one round of it, and its merge submits the next.

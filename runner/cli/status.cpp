@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -44,9 +45,11 @@ Json to_json(const CatalogState& state, const std::vector<Submission>& submissio
   for (const auto& study : state.studies)
     json["studies"].push_back({{"study", study.name}, {"title", study.title}, {"jobs", counts(study)}});
   for (const auto& s : submissions)
-    json["slurm"].push_back({{"study", s.study},
-                             {"array", s.array_id},
-                             {"shards", s.shards},
+    json["slurm"].push_back({{"study", s.record.study},
+                             {"array", s.record.array_id},
+                             {"folder", s.folder.string()},
+                             {"unknown", s.unknown.empty() ? Json(nullptr) : Json(s.unknown)},
+                             {"shards", s.record.shards},
                              {"whole", s.whole},
                              {"running", s.running},
                              {"pending", s.pending},
@@ -71,16 +74,33 @@ std::string held(const Submission& s) {
       " ({} held{})", s.held,
       s.stranded.empty()
           ? ": `scontrol release` lets them go on"
-          : fmt::format(", {} after a failed launch: `mpmstudy run` releases them", s.stranded.size()));
+          : fmt::format(", {} after a failed launch: `mpmstudy run --engine slurm` releases them",
+                        s.stranded.size()));
 }
 
 void print_queue(const std::vector<Submission>& submissions) {
   if (!submissions.empty()) fmt::print("\nslurm\n");
-  for (const auto& s : submissions)
-    fmt::print(
-        "  {}  array {}: {} of {} shards whole, {} running, {} pending{}; merge {}\n", s.study, s.array_id,
-        s.whole, s.shards, s.running, s.pending, held(s),
-        s.merge_queued ? "waits for them" : "is not in the queue: `mpmstudy run` submits what is left");
+  for (const auto& s : submissions) {
+    const auto array = s.record.array_id.empty() ? s.folder.string() : "array " + s.record.array_id;
+    const auto whole = fmt::format("{} of {} shards whole", s.whole, s.record.shards);
+    if (!s.unknown.empty()) {
+      fmt::print("  {}  {}: {}; not known whether it is in the queue: {}\n", s.record.study, array, whole,
+                 s.unknown);
+      continue;
+    }
+    if (s.record.array_id.empty() && s.whole == 0) {
+      fmt::print("  {}  {}: Slurm did not take it; `mpmstudy run --engine slurm` submits what is left\n",
+                 s.record.study, array);
+      continue;
+    }
+    const char* merge = s.merge_queued ? "waits for them"
+                        : s.array_queued()
+                            ? "is not in the queue: `mpmstudy run --engine slurm` submits it"
+                            : "is lost: `mpmstudy run --engine slurm` takes over what is whole and submits "
+                              "what is left";
+    fmt::print("  {}  {}: {}, {} running, {} pending{}; merge {}\n", s.record.study, array, whole, s.running,
+               s.pending, held(s), merge);
+  }
 }
 
 std::string abandoned(const RunningJob& job) {
@@ -139,7 +159,8 @@ int run_status(const StatusOptions& options) {
     fmt::print("{}\n", to_json(state, submissions).dump(2, ' ', false, Json::error_handler_t::replace));
   else
     print_text(state, submissions);
-  return exit_ok;
+  const bool known = std::ranges::all_of(submissions, [](const auto& s) { return s.unknown.empty(); });
+  return known ? exit_ok : exit_stopped;
 }
 
 }  // namespace mpmstudy

@@ -14,6 +14,7 @@
 
 #include "runner/exec/isolation.hpp"
 #include "runner/exec/job_queue.hpp"
+#include "runner/exec/processors.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -27,7 +28,7 @@ std::chrono::milliseconds milliseconds(double seconds) {
 }
 
 unsigned threads_of(const ExecutorOptions& options) {
-  return options.workers ? options.workers : std::max(1U, std::thread::hardware_concurrency());
+  return options.workers ? options.workers : static_cast<unsigned>(usable_processors());
 }
 
 class Executor {

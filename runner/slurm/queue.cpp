@@ -1,170 +1,183 @@
 #include "runner/slurm/queue.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
+#include <ctime>
+#include <exception>
 #include <fstream>
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <map>
 #include <stdexcept>
+
+#include "runner/slurm/client.hpp"
 
 namespace mpmstudy {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Answer {
-  int code = 0;
-  std::string text;
-};
-
-Answer shell(const std::string& command) {
-  Answer answer;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {127, "no shell"};
-  std::array<char, 4096> block;
-  for (std::size_t got = 0; (got = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
-    answer.text.append(block.data(), got);
-  const int end = pclose(pipe);
-  answer.code = WIFEXITED(end) ? WEXITSTATUS(end) : 128 + WTERMSIG(end);
-  return answer;
-}
-
-/// "1234" of what `sbatch --parsable` prints: "1234" or "1234;cluster".
-std::string sbatch(const std::string& arguments) {
-  const Answer answer = shell("sbatch --parsable " + arguments + " 2>&1");
-  const std::string id = answer.text.substr(0, answer.text.find_first_not_of("0123456789"));
-  if (answer.code != 0 || id.empty()) throw std::runtime_error("sbatch: " + answer.text);
-  return id;
-}
-
-void write(const fs::path& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path.string() + ": cannot be written");
-}
-
-/// Counts the elements that squeue lists: "1234_5 PD launch failed requeued held".
-void ask_queue(Submission& submission) {
-  const auto ids = submission.array_id + (submission.merge_id.empty() ? "" : "," + submission.merge_id);
-  std::istringstream lines(shell("squeue -h -r -j " + ids + " -o '%i %t %r' 2>/dev/null").text);
-  std::string id, state, reason;
-  while (lines >> id >> state && std::getline(lines, reason)) {
-    if (id.substr(0, id.find('_')) == submission.merge_id)
+/// Counts the jobs that squeue lists; the numbers that they have.
+void count(Submission& submission, const std::vector<QueueRow>& rows) {
+  SubmissionRecord& record = submission.record;
+  for (const auto& row : rows) {
+    const bool merge = row.name == record.name + "-merge";
+    auto& id = merge ? record.merge_id : record.array_id;
+    if (id.empty()) id = row.array_id();
+    if (row.ended()) continue;
+    if (merge)
       submission.merge_queued = true;
     else
-      ++(state == "PD" ? submission.pending : submission.running);
+      ++(row.state == "PD" ? submission.pending : submission.running);
     const bool stranded =
-        reason.find("failed") != std::string::npos && reason.find("held") != std::string::npos;
-    if (stranded) submission.stranded.push_back(id);
-    submission.held += stranded || reason.find("Held") != std::string::npos;
+        row.reason.find("failed") != std::string::npos && row.reason.find("held") != std::string::npos;
+    if (stranded) submission.stranded.push_back(row.id);
+    submission.held += stranded || row.reason.find("Held") != std::string::npos;
   }
 }
 
-void read_keys(const fs::path& folder, std::set<std::string>& keys) {
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder, none)) {
-    if (!entry.path().filename().string().starts_with("keys-")) continue;
-    std::ifstream file(entry.path());
-    for (std::string key; file >> key;) keys.insert(key);
-  }
+/// What is in a folder; nothing where there is none. One that cannot be read is an error, not an empty one.
+std::set<fs::path> list(const fs::path& folder) {
+  std::set<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator next(folder, error), end; !error && next != end; next.increment(error))
+    entries.insert(next->path());
+  if (error && error != std::errc::no_such_file_or_directory)
+    throw std::runtime_error(folder.string() + ": cannot be read: " + error.message());
+  return entries;
 }
 
-std::set<fs::path> submission_folders(const fs::path& results) {
-  std::error_code none;
-  std::set<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(results / "slurm", none)) folders.insert(entry.path());
-  return folders;
+/// Something of an element or of the merge is in the folder: Slurm had the job.
+bool has_run(const fs::path& folder) {
+  for (const auto& entry : list(folder)) {
+    const std::string name = entry.filename().string();
+    if (name.starts_with("shard-") || name.starts_with("log-")) return true;
+  }
+  return false;
+}
+
+/// Why that Slurm knows nothing of the job does not say that it is over; "": it is over.
+std::string doubt(const Submission& submission) {
+  const SubmissionRecord& record = submission.record;
+  if (record.clusters.empty() && !record.cluster.empty()) {
+    const SlurmConfig here = slurm_config();
+    if (here.cluster.empty())
+      return fmt::format("scontrol does not say whether this is the cluster '{}', where it was submitted",
+                         record.cluster);
+    if (here.cluster != record.cluster)
+      return fmt::format("it was submitted to the cluster '{}'; the Slurm of this machine is '{}'",
+                         record.cluster, here.cluster);
+    if (here.jobs_private && record.user != user_name())
+      return fmt::format("it was submitted by {}, and this Slurm shows users their own jobs only",
+                         record.user);
+  }
+  const std::int64_t age = std::time(nullptr) - record.asked_at;
+  if (record.array_id.empty() && age < may_still_be_taken_s && !has_run(submission.folder))
+    return fmt::format("sbatch gave no number, and Slurm may still take the job; asked again after {} s",
+                       may_still_be_taken_s - age);
+  return "";
 }
 
 }  // namespace
 
+void ask_queue(Submission& submission) {
+  SubmissionRecord& record = submission.record;
+  submission.pending = submission.running = submission.held = 0;
+  submission.merge_queued = false;
+  submission.stranded.clear();
+  QueueAnswer answer = queue_by_name(record.name + "," + record.name + "-merge", record.clusters);
+  if (answer.unknown.empty() && answer.rows.empty() && !record.array_id.empty())
+    answer = queue_by_id(record.array_id + (record.merge_id.empty() ? "" : "," + record.merge_id),
+                         record.clusters);
+  submission.unknown = answer.unknown;
+  for (const auto& row : answer.rows)
+    if (row.name != record.name && row.name != record.name + "-merge" && !row.ended())
+      submission.unknown =
+          fmt::format("job {} is called '{}', not '{}': renamed, or its number was given to another job",
+                      row.id, row.name, record.name);
+  if (!submission.unknown.empty()) return;
+  if (answer.rows.empty()) {
+    submission.unknown = doubt(submission);
+    return;
+  }
+  const SubmissionRecord before = record;
+  count(submission, answer.rows);
+  if (record.array_id == before.array_id && record.merge_id == before.merge_id) return;
+  try {
+    write_record(submission.folder, record);
+  } catch (const std::exception&) {  // who only reads may have no right to write; it is asked for again
+  }
+}
+
+std::vector<fs::path> whole_shards(const Submission& submission) {
+  std::error_code none;
+  std::vector<fs::path> shards;
+  for (std::size_t i = 0; i < submission.record.shards; ++i)
+    if (const auto shard = submission.folder / fmt::format("shard-{}", i); fs::exists(shard, none))
+      shards.push_back(shard);
+  return shards;
+}
+
 std::vector<Submission> read_submissions(const fs::path& results) {
   std::vector<Submission> all;
-  for (const auto& folder : submission_folders(results)) {
-    std::ifstream file(folder / "submitted.json");
-    const auto json = nlohmann::json::parse(file, nullptr, false);
-    if (!json.is_object() || fs::exists(folder / "merged")) continue;
+  std::map<std::string, std::string> silence;  // a cluster that does not answer is asked once
+  for (const auto& folder : list(results / "slurm")) {
+    if (is_closed(folder)) continue;
     Submission submission;
     submission.folder = folder;
-    submission.study = json.value("study", "");
-    submission.array_id = json.value("array", "");
-    submission.merge_id = json.value("merge", "");
-    submission.shards = json.value("shards", std::size_t{0});
-    for (std::size_t i = 0; i < submission.shards; ++i)
-      submission.whole += fs::exists(folder / fmt::format("shard-{}", i));
-    ask_queue(submission);
+    try {
+      const auto record = read_record(folder);
+      if (!record) continue;
+      submission.record = *record;
+      submission.whole = whole_shards(submission).size();
+      std::string& unknown = silence[record->clusters];
+      submission.unknown = unknown;
+      if (unknown.empty()) ask_queue(submission);
+      if (submission.unknown.starts_with("squeue: ")) unknown = submission.unknown;
+    } catch (const std::exception& error) {
+      submission.unknown = error.what();
+    }
     all.push_back(std::move(submission));
   }
   return all;
 }
 
+std::set<std::string> keys_of(const Submission& submission) {
+  std::set<std::string> keys;
+  for (const auto& entry : list(submission.folder)) {
+    if (!entry.filename().string().starts_with("keys-")) continue;
+    std::ifstream file(entry);
+    if (!file) throw std::runtime_error(entry.string() + ": cannot be read");
+    for (std::string key; file >> key;) keys.insert(key);
+  }
+  return keys;
+}
+
 std::set<std::string> queued_keys(const std::vector<Submission>& submissions) {
   std::set<std::string> keys;
   for (const auto& submission : submissions)
-    if (submission.in_queue()) read_keys(submission.folder, keys);
+    if (submission.may_be_queued()) keys.merge(keys_of(submission));
   return keys;
 }
 
 std::set<std::string> last_submitted(const fs::path& results, const std::string& study) {
-  fs::path last;  // the names end in the time: the greatest is the newest
-  for (const auto& folder : submission_folders(results)) {
-    std::ifstream file(folder / "submitted.json");
-    const auto json = nlohmann::json::parse(file, nullptr, false);
-    if (json.is_object() && json.value("study", "") == study) last = folder;
-  }
-  std::set<std::string> keys;
-  read_keys(last, keys);
-  return keys;
-}
-
-std::vector<std::string> release_stranded(const std::vector<Submission>& submissions) {
-  std::vector<std::string> released;
-  for (const auto& submission : submissions)
-    for (const auto& id : submission.stranded)
-      if (shell("scontrol release " + id + " 2>&1").code == 0) released.push_back(id);
-  return released;
-}
-
-Submission submit(const SlurmScripts& scripts, const fs::path& study_file,
-                  const std::vector<std::vector<std::string>>& keys) {
-  const fs::path folder = scripts.folder;
-  Submission submission;
-  try {
-    fs::create_directories(folder);
-    fs::copy_file(study_file, folder / "study.toml");
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      std::string lines;
-      for (const auto& key : keys[i]) lines += key + "\n";
-      write(folder / fmt::format("keys-{}.txt", i), lines);
+  Submission last;  // the names end in the time: the greatest is the newest
+  for (const auto& folder : list(results / "slurm")) try {
+      if (const auto record = read_record(folder); record && record->study == study) last.folder = folder;
+    } catch (const std::exception&) {  // read_submissions tells it
     }
-    write(folder / "array.sh", array_script(scripts));
-    write(folder / "merge.sh", merge_script(scripts));
-    submission.folder = folder;
-    submission.study = scripts.study;
-    submission.shards = scripts.shards;
-    submission.array_id = sbatch(shell_word((folder / "array.sh").string()));
-    submission.merge_id = sbatch("--dependency=afterany:" + submission.array_id + " " +
-                                 shell_word((folder / "merge.sh").string()));
-    write(folder / "submitted.json", nlohmann::json({{"study", submission.study},
-                                                     {"array", submission.array_id},
-                                                     {"merge", submission.merge_id},
-                                                     {"shards", submission.shards}})
-                                             .dump(2) +
-                                         "\n");
-    return submission;
-  } catch (const std::exception&) {
-    for (const auto& id : {submission.merge_id, submission.array_id})
-      if (!id.empty()) shell("scancel " + id + " 2>&1");
-    std::error_code ignored;
-    fs::remove_all(folder, ignored);
-    throw;
-  }
+  return last.folder.empty() ? std::set<std::string>{} : keys_of(last);
+}
+
+Released release_stranded(const std::vector<Submission>& submissions) {
+  Released released;
+  for (const auto& submission : submissions)
+    for (const auto& id : submission.stranded) {
+      const std::string refusal = release_job(id, submission.record.clusters);
+      if (refusal.empty())
+        released.ids.push_back(id);
+      else
+        released.refusals.push_back(id + ": " + refusal);
+    }
+  return released;
 }
 
 }  // namespace mpmstudy

@@ -19,7 +19,7 @@ cleanup() {
   timeout 30 "$here/mini_slurm.sh" down
   if [ $failures -gt 0 ]; then
     echo "left: $work"
-    cat "$work"/results/slurm/*/log-*.txt 2>/dev/null | tail -40
+    cat "$work"/*/*/slurm/*/log-*.txt 2>/dev/null | tail -40
   else
     rm -rf "$work"
   fi
@@ -36,7 +36,7 @@ fi
 trap cleanup EXIT
 
 set_options=(--set 'cell_size=0.15 um')
-results=$work/results
+results="$work/my runs/50%j it's \"5\" #1"  # a folder as users name them
 run run "$study" "${set_options[@]}" --results "$work/calm" -q || wrong "the undisturbed run"
 
 text=$(run run "$study" "${set_options[@]}" --results "$results" --engine slurm --dry-run)
@@ -54,7 +54,10 @@ text=$(run status --results "$results")
 expect "status shows the queue" "$text" "array $array: . of 6 shards whole"
 expect "status shows what is held" "$text" '\(1 held: `scontrol release`'
 scontrol release "${array}_5"
-expect "what is in the queue is not submitted again" "$("${submit[@]}")" 'what is left is in the queue'
+expect "what is in the queue is not submitted again" "$("${submit[@]}")" '16 jobs in the queue already'
+text=$(SLURM_CONF=/none "${submit[@]}" 2>&1)
+[ $? = 75 ] || wrong "a Slurm that does not answer: $text"
+expect "a Slurm that does not answer is not taken for an empty queue" "$text" 'not known whether it is in the queue'
 
 state_of() { squeue -h -r -j "${array}_$1" -o %t 2>/dev/null; }
 wait_until_running() { for _ in $(seq 200); do [ "$(state_of "$1")" = R ] && return; sleep 0.1; done; }
@@ -99,6 +102,9 @@ text=$(run merge "$first"/shard-? --results "$results") || wrong "merging again:
 expect "merging again changes nothing" "$text" '^0 jobs merged, 16 known already'
 timeout 240 "$harness" --compare "$work/calm" "$results" || wrong "the catalog differs from the undisturbed one"
 ls "$results"/slurm/*/*.tmp 2>/dev/null && wrong "halves are left"
+[ -e "$first/log-0.txt" ] && check "logs are in the folder" || wrong "no log in $first"
+expect "nothing is left" "$(run run "$study" "${set_options[@]}" --results "$results" --engine slurm --dry-run)" \
+  'nothing is left to submit'
 
 # A search: each round is an array, and its merge asks for the next.
 results=$work/searched

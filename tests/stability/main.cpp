@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "libmpm/core/thread_clock.hpp"
+#include "runner/exec/processors.hpp"
 #include "tests/stability/case.hpp"
 
 namespace {
@@ -55,7 +56,7 @@ int main(int argc, char** argv) {
   std::uint64_t seed = 1;
   bool only_short = false;
   std::string filter, folder = SOURCE_DIR "/studies/stability";
-  unsigned workers = std::max(1u, std::thread::hardware_concurrency());
+  unsigned workers = static_cast<unsigned>(mpmstudy::usable_processors());
   app.add_option("--random", random, "Random scenes")->check(CLI::Range(0, 1'000'000))->capture_default_str();
   app.add_option("--seed", seed, "Of the first random scene")->capture_default_str();
   app.add_option("--filter", filter, "Only cases whose name has this in it");
