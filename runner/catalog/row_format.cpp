@@ -1,8 +1,10 @@
 #include "runner/catalog/row_format.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -35,8 +37,22 @@ class CsvSink : public RowSink {
   }
 
  private:
+  /// Quotes tell readers that look at them (QUOTE_NONNUMERIC of Python's csv) that a field is text.
+  static bool looks_like_no_text(const std::string& text) {
+    char* end = nullptr;
+    std::strtod(text.c_str(), &end);  // numbers, inf and nan; hexadecimal ones with 0x
+    if (end != text.c_str() && *end == '\0') return true;
+    std::string small(text);
+    std::ranges::transform(small, small.begin(), [](char c) {
+      return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    constexpr std::string_view words[] = {"true", "false", "na", "n/a", "null", "none"};
+    return std::ranges::find(words, small) != std::end(words);
+  }
+
   static std::string field(const std::string& text) {
-    if (!text.empty() && text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    if (!text.empty() && text.find_first_of(",\"\r\n") == std::string::npos && !looks_like_no_text(text))
+      return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted += '"';
@@ -70,7 +86,7 @@ class JsonSink : public RowSink {
     if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
     if (const auto* real = std::get_if<double>(&value)) {
       if (std::isnan(*real)) return "null";
-      if (std::isinf(*real)) return *real > 0 ? "9e999" : "-9e999";
+      if (std::isinf(*real)) return *real > 0 ? "\"Infinity\"" : "\"-Infinity\"";
     }
     return is_number(value) ? plain_text(value) : "null";
   }

@@ -12,8 +12,10 @@ namespace mpmstudy {
 
 enum class RowFormat {
   table,  ///< for people; columns aligned, null is empty
-  csv,    ///< RFC 4180: CRLF, quotes where needed; null is an empty field, an empty text is ""
-  json,   ///< an array of objects, one a line; infinity is 9e999, which readers of doubles take as such
+  /// RFC 4180: CRLF, quotes where needed; null is an empty field, an empty text is "". A text that could be
+  /// taken for a number, a truth value or a missing one is quoted; infinity is inf.
+  csv,
+  json,  ///< an array of objects, one per line; infinity is the text "Infinity" or "-Infinity", null is null
 };
 
 /// "table", "csv", "json"

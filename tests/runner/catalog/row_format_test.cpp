@@ -32,6 +32,28 @@ TEST(RowFormat, csv_quotes_what_needs_it) {
             "a,\"b,c\"\r\n1,\"x \"\"y\"\"\nz\"\r\n,\"\"\r\n0.1,-2.0\r\n");
 }
 
+TEST(RowFormat, csv_quotes_texts_that_look_like_numbers) {
+  std::string expected;
+  std::vector<std::vector<SqlValue>> rows;
+  for (const char* text : {"108e42971305", "012345678901", "123456789012", "12345.5", "-1", "inf", "NaN",
+                           "NA", "true", "NULL", "0x1p3"}) {
+    rows.push_back({std::string(text)});
+    expected += "\"" + std::string(text) + "\"\r\n";
+  }
+  for (const char* text : {"1a2b3c4d5e6f", "collapsed", "12e", "none of them"}) {
+    rows.push_back({std::string(text)});
+    expected += std::string(text) + "\r\n";
+  }
+  EXPECT_EQ(print(RowFormat::csv, {"key"}, rows), "key\r\n" + expected);
+  EXPECT_EQ(print(RowFormat::csv, {"x"}, {{INFINITY}, {-INFINITY}}), "x\r\ninf\r\n-inf\r\n");
+}
+
+TEST(RowFormat, json_has_infinity_as_a_text) {
+  const auto json = nlohmann::json::parse(print(RowFormat::json, {"a"}, {{INFINITY}, {-INFINITY}}));
+  EXPECT_EQ(json[0]["a"], "Infinity");
+  EXPECT_EQ(json[1]["a"], "-Infinity");
+}
+
 TEST(RowFormat, json_is_json) {
   const auto text = print(RowFormat::json, {"a", "b"},
                           {{std::int64_t{1}, std::string("\"\n\x01 \xff")}, {SqlValue(), 0.5}, {NAN, 1e300}});
