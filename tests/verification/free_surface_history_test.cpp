@@ -3,7 +3,7 @@
 
 #include "libmpm/verification/problems/problems.hpp"
 #include "libmpm/verification/problems/surface_history.hpp"
-#include "tests/libmpm/verification/exact/csv.hpp"
+#include "tests/verification/exact/csv.hpp"
 #include "tests/verification/expect_numbers.hpp"
 
 namespace {

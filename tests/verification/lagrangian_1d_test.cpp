@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "libmpm/verification/exact/lagrangian_1d.hpp"
-#include "tests/libmpm/verification/exact/csv.hpp"
+#include "tests/verification/exact/csv.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "libmpm/verification/problems/material_point.hpp"
 #include "libmpm/verification/problems/problems.hpp"
-#include "tests/libmpm/verification/exact/csv.hpp"
+#include "tests/verification/exact/csv.hpp"
 #include "tests/verification/expect_numbers.hpp"
 
 namespace {

@@ -10,7 +10,7 @@ namespace mpm::verification::exact {
 ///   rho0 b_i = pi^2 u_i [ lambda (1 - ln J)/F_ii^2 + mu (1 + 1/F_ii^2) - E ].
 /// Lengths in units of the square's edge, 1 m. Valid for pi A < 1.
 /// Source: Kamojjala, Brannon, Sadeghirad, Guilkey 2015, Eng. Comput. 31, 193.
-/// Checked by tests/libmpm/verification/exact/manufactured_test.cpp: force = acceleration - div of the strain
+/// Checked by tests/verification/exact/manufactured_test.cpp: force = acceleration - div of the strain
 /// energy's stress.
 struct AxisAligned {
   NeoHookean solid;

@@ -11,7 +11,7 @@ namespace mpm::verification::exact {
 /// h and its slope are continuous, its second derivative is not: b_theta jumps at R = 3/4 and 5/4.
 /// Lengths in units of the middle radius, 1 m.
 /// Source: Kamojjala, Brannon, Sadeghirad, Guilkey 2015, Eng. Comput. 31, 193.
-/// Checked by tests/libmpm/verification/exact/manufactured_test.cpp: force = acceleration - div of the strain
+/// Checked by tests/verification/exact/manufactured_test.cpp: force = acceleration - div of the strain
 /// energy's stress.
 struct Vortex {
   NeoHookean solid;
