@@ -49,15 +49,12 @@ submit=(run run "$study" "${set_options[@]}" --results "$results" --engine slurm
 text=$("${submit[@]}") || wrong "submitting: $text"
 expect "the study is submitted" "$text" 'submitted: array [0-9]+, merge [0-9]+'
 array=$(sed -n 's/^submitted: array \([0-9]*\),.*/\1/p' <<< "$text")
-scontrol hold "${array}_5" || wrong "holding an element"
+scontrol hold "${array}_4" && scontrol hold "${array}_5" || wrong "holding elements"
 text=$(run status --results "$results")
 expect "status shows the queue" "$text" "array $array: . of 6 shards whole"
-expect "status shows what is held" "$text" '\(1 held: `scontrol release`'
-scontrol release "${array}_5"
+expect "status shows what is held" "$text" '\(2 held: `scontrol release`'
+scancel "${array}_4" && check "element 4 is cancelled"  # on a slow machine, element 1 may end before it is killed
 expect "what is in the queue is not submitted again" "$("${submit[@]}")" '16 jobs in the queue already'
-text=$(SLURM_CONF=/none "${submit[@]}" 2>&1)
-[ $? = 75 ] || wrong "a Slurm that does not answer: $text"
-expect "a Slurm that does not answer is not taken for an empty queue" "$text" 'not known whether it is in the queue'
 
 state_of() { squeue -h -r -j "${array}_$1" -o %t 2>/dev/null; }
 wait_until_running() { for _ in $(seq 200); do [ "$(state_of "$1")" = R ] && return; sleep 0.1; done; }
@@ -78,7 +75,14 @@ kill -9 $processes && check "element 1 is killed"
 sleep 6  # the controller writes its state down every few seconds; an older one knows less than the nodes
 "$here/mini_slurm.sh" kill-controller && check "the controller is killed"
 sleep 1
+text=$("${submit[@]}" 2>&1)  # element 5 is held, so the study has not ended
+[ $? = 75 ] || wrong "a Slurm that does not answer: $text"
+expect "a Slurm that does not answer is not taken for an empty queue" "$text" 'not known whether it is in the queue'
 "$here/mini_slurm.sh" start-controller
+for _ in $(seq 100); do
+  scontrol release "${array}_5" 2>/dev/null && check "element 5 is released" && break
+  sleep 0.5
+done
 
 number() { run query "$1" --format csv --results "$results" | tail -1 | tr -d '\r'; }
 wait_until() {  # SECONDS SQL: until it gives something other than 0
@@ -91,7 +95,7 @@ wait_until() {  # SECONDS SQL: until it gives something other than 0
 finished="SELECT (SELECT count(*) FROM jobs WHERE status <> 'done') = 0 AND (SELECT count(*) FROM fits) > 0"
 if wait_until 240 "$finished"; then check "every job is done"; else wrong "jobs are left"; fi
 rounds=$(ls -d "$results"/slurm/*/ | wc -l)
-if [ "$rounds" -gt 1 ]; then check "what was killed came in another round"; else wrong "one round was enough"; fi
+if [ "$rounds" -gt 1 ]; then check "what was lost came in another round"; else wrong "one round was enough"; fi
 
 # Elements that Slurm runs twice, and shards merged twice, change nothing.
 first=$(ls -d "$results"/slurm/*/ | head -1)
