@@ -15,21 +15,21 @@ namespace {
 
 using Rounds = std::vector<std::vector<mpm::Scene>>;
 
-/// Critical values about one place of the lattice, each point a little off it, and never against what is
-/// known.
+/// Made-up critical values: those that other cells of the point are known to have, else about the mean of
+/// what is known of other points, else about one place of the lattice. Each is a little off that, and never
+/// against what is known of the point itself.
 class MadeUpValues {
  public:
   MadeUpValues(const SearchRequest& request, double place)
       : critical_(*mpm::find_quantity(request.critical)), lower_(request.lower) {
     const double width = request.upper - request.lower;
     middle_ = request.lower + place * width;
-    scatter_ = std::max(2 * width / search_steps(request.lower, request.upper, request.tolerance),
-                        std::abs(middle_) / 30);
+    step_ = width / search_steps(request.lower, request.upper, request.tolerance);
   }
 
   void learn(const mpm::Scene& scene, Verdict verdict) {
     if (verdict == Verdict::broken) return;
-    auto& [below, above] = known_[point_of(scene)];
+    auto& [below, above] = known_[point_of(scene)][scene.numerics.cell_size];
     const double value = critical_.get(scene);
     if (verdict == Verdict::above)
       above = std::min(above, value);
@@ -39,28 +39,54 @@ class MadeUpValues {
 
   Verdict verdict_of(const mpm::Scene& scene) {
     const std::string point = point_of(scene);
-    const auto& [below, above] = known_[point];
     const double value = critical_.get(scene);
+    const auto& [below, above] = known_[point][scene.numerics.cell_size];
     if (value <= below) return Verdict::below;
     if (value >= above) return Verdict::above;
+    const double middle = mean(known_[point]).value_or(mean_of_all().value_or(middle_));
+    const double scatter = std::max(2 * step_, std::abs(middle) / 30);
     const double turns =
         static_cast<double>(std::stoul(point.substr(0, 4), nullptr, 16) % 5) - 2;  // -2 ... 2
-    return value > middle_ + 0.5 * turns * scatter_ ? Verdict::above : Verdict::below;
+    return value > middle + 0.5 * turns * scatter ? Verdict::above : Verdict::below;
   }
 
  private:
   struct Ends {
     double below = -std::numeric_limits<double>::infinity(), above = std::numeric_limits<double>::infinity();
   };
-  /// A name for the scene without its critical value.
+  using Cells = std::map<double, Ends>;
+
+  /// Of the brackets that have both ends.
+  static std::optional<double> mean(const Cells& cells) {
+    double sum = 0;
+    int count = 0;
+    for (const auto& [cell, ends] : cells)
+      if (std::isfinite(ends.below) && std::isfinite(ends.above)) {
+        sum += 0.5 * (ends.below + ends.above);
+        ++count;
+      }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+  }
+  std::optional<double> mean_of_all() const {
+    double sum = 0;
+    int count = 0;
+    for (const auto& [point, cells] : known_)
+      if (const auto one = mean(cells)) {
+        sum += *one;
+        ++count;
+      }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+  }
+  /// A name for the scene without its critical value and its cell.
   std::string point_of(mpm::Scene scene) const {
     critical_.set(scene, lower_);
+    scene.numerics.cell_size = 0;
     return job_key(scene);
   }
 
   const mpm::Quantity& critical_;
-  double lower_ = 0, middle_ = 0, scatter_ = 0;
-  std::map<std::string, Ends> known_;
+  double lower_ = 0, middle_ = 0, step_ = 0;
+  std::map<std::string, Cells> known_;
 };
 
 /// The search with critical values about one place; the scenes that are not known yet, round by round.

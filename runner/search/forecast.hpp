@@ -20,9 +20,9 @@ struct SearchForecast {
 /// What is known of a run, by its key; empty: it has not run.
 using KnownVerdict = std::function<std::optional<Verdict>(const std::string& key)>;
 
-/// Plays the search through for critical values at several places of the lattice. Those of neighbours and of
-/// finer cells are as far from where the search begins to look as was seen in real ones: up to a thirtieth.
-/// Runs whose verdicts are known are not counted.
+/// Plays the search through for critical values at several places of the lattice; once some points or cells
+/// are known, for values like theirs. They are as far from where the search begins to look as was seen in
+/// real ones: up to a thirtieth. Runs whose verdicts are known are not counted.
 SearchForecast forecast_search(const Study&, const KnownVerdict& known = {});
 
 }  // namespace mpmstudy

@@ -179,6 +179,19 @@ TEST(Parameters, AWallHasTheThicknessThatWasWritten) {
   EXPECT_EQ(wall.get(scene), -0.5e-6);
 }
 
+// The empty rows for the way of two bodies are counted in floating point, too.
+TEST(FindProblems, TwoBodiesThatGoTooFarAreRefused) {
+  mpm::Scene s = scenes::cavity(0.2e-6);
+  s.kind = mpm::SceneKind::two_body_impact;
+  s.impact_speed = 1e6;
+  s.end_time = 0.01;
+  s.measures.area_every = s.end_time / 100;
+  const auto problems = mpm::find_problems(s);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].parameter, "end_time");
+  EXPECT_THAT(problems[0].allowed, testing::HasSubstr("at most 1e9 cells"));
+}
+
 // What no integer counts is no undefined number.
 TEST(Parameters, EstimatesOfAbsurdScenesAreLargeNumbers) {
   mpm::Scene scene = scenes::cavity(0.2e-6);

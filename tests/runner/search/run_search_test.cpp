@@ -386,6 +386,19 @@ TEST_F(SearchStudy, AForecastIsNearWhatRunsAndKnowsWhatHasRun) {
   EXPECT_TRUE(after.rounds.empty());
 }
 
+TEST_F(SearchStudy, AForecastOfAFinerCellGoesByTheCoarserOnes) {
+  study_text = with(text, "cell_size", "cell_size = { values = [0.4, 0.2], unit = \"um\" }");
+  search(folder.path(), 2);
+  study_text = text;
+  const SearchForecast forecast = forecast_search(read_text(study_text), folder.path(), false);
+  simulated.clear();
+  search(folder.path(), 2);
+  const int ran = static_cast<int>(simulated.size());
+  EXPECT_GT(ran, 5);
+  EXPECT_NEAR(forecast.runs, ran, 0.5 * ran);
+  EXPECT_LE(forecast.most, 2 * ran);
+}
+
 TEST(RunReport, ASumHasAllParts) {
   RunReport a, b;
   b.executed.done = 1;
