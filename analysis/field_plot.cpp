@@ -59,15 +59,24 @@ std::pair<double, double> colour_range(const FieldPlot& plot) {
 struct Layout {
   int columns, rows;
   double panel_width, panel_height;
+  double gap;         ///< between panels of a row: titles of narrow ones need room
+  double title_font;  ///< size in points
   FigureSize figure;
 
-  double x(int column) const { return left + column * (panel_width + gap_x); }
+  double x(int column) const { return left + column * (panel_width + gap); }
   double y(int row) const { return top + gap_y + row * (panel_height + gap_y); }
 };
 
-Layout layout_of(std::size_t panels, const Window& window) {
+/// Letters of the longest title of a panel.
+std::size_t longest_title(const std::vector<FieldPanel>& panels) {
+  std::size_t longest = 1;
+  for (const FieldPanel& panel : panels) longest = std::max(longest, panel.title.size());
+  return longest;
+}
+
+Layout layout_of(const std::vector<FieldPanel>& panels, const Window& window) {
   Layout l{};
-  const int count = static_cast<int>(panels);
+  const int count = static_cast<int>(panels.size());
   l.columns = count <= 3 ? count : count == 4 ? 2 : 3;
   l.rows = (count + l.columns - 1) / l.columns;
   l.panel_width = (figure_width - left - right - (l.columns - 1) * gap_x) / l.columns;
@@ -78,6 +87,12 @@ Layout layout_of(std::size_t panels, const Window& window) {
     l.panel_height = most / std::min(l.rows, 2);
     l.panel_width = l.panel_height * window.width() / window.height();
   }
+  // A letter is about 0.62 of the font's size wide. Titles become smaller first, then panels stand farther
+  // apart.
+  constexpr double letter = 0.62, largest = 10.5, smallest = 8, apart = 8;
+  const double letters = letter * static_cast<double>(longest_title(panels));
+  l.title_font = std::clamp((l.panel_width + gap_x - apart) / letters, smallest, largest);
+  l.gap = std::max(gap_x, letters * l.title_font + apart - l.panel_width);
   l.figure.width = static_cast<int>(std::ceil(l.x(l.columns - 1) + l.panel_width + right));
   l.figure.height = static_cast<int>(std::ceil(l.y(l.rows - 1) + l.panel_height + bottom));
   return l;
@@ -99,7 +114,8 @@ std::string panel_script(const FieldPlot& plot, const Layout& l, const Window& w
       "{}\n",
       l.x(column) / width, (l.x(column) + l.panel_width) / width, 1 - l.y(row) / height,
       1 - (l.y(row) + l.panel_height) / height);
-  text += fmt::format("set title {} offset 0,-0.6 font ',10.5'\n", gnuplot_text(plot.panels[i].title));
+  text += fmt::format("set title {} offset 0,-0.6 font ',{:.1f}'\n", gnuplot_text(plot.panels[i].title),
+                      l.title_font);
   text += lowest ? fmt::format("set format x '%g'\nset xlabel {} offset 0,0.3\n",
                                gnuplot_text(fmt::format("x ({})", length.text)))
                  : "set format x ''\nunset xlabel\n";
@@ -160,7 +176,7 @@ void draw(const FieldPlot& plot, const std::filesystem::path& stem) {
   const double largest = std::max(std::abs(range.first), std::abs(range.second));
   const DisplayUnit value = plot.palette == Palette::grey ? paper_unit(plot.value.unit, largest)
                                                           : display_unit(plot.value.unit, largest);
-  const Layout layout = layout_of(plot.panels.size(), window);
+  const Layout layout = layout_of(plot.panels, window);
   const int columns = std::max(1, static_cast<int>(std::lround(layout.panel_width * pixels_per_point)));
   const int rows = std::max(1, static_cast<int>(std::lround(layout.panel_height * pixels_per_point)));
 

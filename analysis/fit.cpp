@@ -81,6 +81,11 @@ std::optional<FitModel> fit_model(std::string_view name) {
 
 std::string_view name(FitModel model) { return model == FitModel::linear ? "linear" : "quadratic"; }
 
+std::optional<double> Fit::reduced_chi2() const {
+  if (!weighted || !residual_standard_deviation) return std::nullopt;
+  return *residual_standard_deviation * *residual_standard_deviation;
+}
+
 double Fit::operator()(double x) const {
   const double z = (x - scaled.centre) / scaled.scale;
   double value = 0;
@@ -132,6 +137,7 @@ Fit fit_polynomial(FitModel model, std::span<const double> x, std::span<const do
   fit.coefficients.assign(coefficients.begin(), coefficients.end());
 
   fit.degrees_of_freedom = fit.points - count;
+  fit.weighted = !y_error.empty();
   const Scatter sums = scatter(design, values, root_weight, solution);
   if (sums.total > 0) fit.r2 = 1 - sums.residual / sums.total;
   double variance = 1;

@@ -33,7 +33,12 @@ struct Fit {
   int degrees_of_freedom = 0;  ///< points - coefficients
   double x_min = 0, x_max = 0;
 
+  bool weighted = false;  ///< by the errors of y
+
   bool ok() const { return problem.empty(); }
+  /// Weighted squares of the residuals per degree of freedom. Above 1 the points scatter more than their
+  /// errors say: the model does not hold within them. Empty without errors or without a point to spare.
+  std::optional<double> reduced_chi2() const;
   /// The polynomial at x. Only where ok().
   double operator()(double x) const;
   /// Half width, at x, of the interval that covers the true curve at this confidence (of one x, not of all at

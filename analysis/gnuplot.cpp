@@ -1,5 +1,7 @@
 #include "analysis/gnuplot.hpp"
 
+#include "analysis/fonts.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -64,7 +66,7 @@ void draw_one(const FigureFolder& folder, const std::string& terminal, const std
 
 std::string gnuplot_text(std::string_view text) {
   std::string result(1, '\'');
-  for (const char c : text) {
+  for (const char c : drawable(text)) {
     if (c == '\'' || c == '`')  // a backquote would be a command in other quotes
       result += "''";
     else

@@ -6,7 +6,8 @@
 
 namespace analysis {
 
-/// Text as a gnuplot string: quoted, on one line, nothing in it is evaluated.
+/// Text as a gnuplot string: quoted, on one line, nothing in it is evaluated; a question mark for characters
+/// that no font has (fonts.hpp).
 std::string gnuplot_text(std::string_view text);
 
 /// A folder beside the figure for its script and data; removed with everything in it at the end. The same

@@ -81,7 +81,81 @@ bool has_band(const Fit& fit) { return !fit.standard_errors.empty() && fit.degre
 
 std::string file_of(std::size_t i) { return fmt::format("'series{}.dat'", i); }
 
-std::string history_clauses(const Plot& plot) {
+std::size_t characters(std::string_view utf8) {
+  return static_cast<std::size_t>(std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// More entries, or more letters, than this stand at the side: above the axes they would cover title and
+/// caption.
+constexpr std::size_t most_entries_above = 4, most_letters_above = 60;
+
+std::size_t legend_entries(const Plot& plot) {
+  std::size_t count = 0;
+  if (plot.fit && plot.fit->ok()) count += has_band(*plot.fit) ? 2 : 1;
+  for (const Series& s : plot.series) count += s.label.empty() ? 0 : 1;
+  return count;
+}
+
+std::string every_text(std::size_t every, std::size_t curves) {
+  return fmt::format("one in {} of {} is named", every, curves);
+}
+
+std::size_t legend_letters(const Plot& plot) {
+  std::size_t count = 0;
+  for (const Series& s : plot.series) count += characters(s.label);
+  return count;
+}
+
+/// The legend at the side. Many curves have a smaller font; where that would become too small to be read,
+/// every second, third, ... curve is named, and the legend says so.
+struct SideLegend {
+  double font = 11;       ///< size in points
+  std::size_t every = 1;  ///< which curves are named
+  double width = 0;       ///< share of the figure's width
+
+  bool names(std::size_t series) const { return series % every == 0; }
+};
+
+SideLegend side_legend(const Plot& plot) {
+  constexpr double height = 440, line = 1.55, smallest = 6;  // [points], [font sizes], [points]
+  SideLegend legend;
+  const double most =
+      std::floor(height / (smallest * line)) - 3;  // a fit, its band, and what is said of others
+  const double entries = static_cast<double>(legend_entries(plot));
+  legend.every = static_cast<std::size_t>(std::max(1.0, std::ceil(entries / most)));
+  legend.font =
+      std::clamp(height / (line * (entries / static_cast<double>(legend.every) + 3)), smallest, 11.0);
+  std::size_t longest = plot.fit ? std::string_view("quadratic fit").size() : 0;
+  for (const Series& s : plot.series) longest = std::max(longest, characters(s.label));
+  if (legend.every > 1) longest = std::max(longest, every_text(legend.every, plot.series.size()).size());
+  // Lines and marks, and 0.65 of the font's size per character.
+  legend.width =
+      longest == 0
+          ? 0.02
+          : std::min(0.45, (74 + 0.65 * legend.font * static_cast<double>(longest)) / figure_size.width);
+  return legend;
+}
+
+/// Width of the widest number at the y axis, in characters; gnuplot has about five steps on an axis.
+std::size_t tick_characters(const Plot& plot, const DisplayUnit& y) {
+  double low = plot.y_from_zero ? 0 : std::numeric_limits<double>::infinity(), high = -low;
+  if (plot.y_from_zero) high = 0;
+  for (const Series& s : plot.series)
+    for (std::size_t i = 0; i < s.y.size(); ++i) {
+      if (!is_drawn(plot, s, i)) continue;
+      const double error = s.y_error.empty() || !std::isfinite(s.y_error[i]) ? 0 : s.y_error[i];
+      low = std::min(low, (s.y[i] - error) * y.factor);
+      high = std::max(high, (s.y[i] + error) * y.factor);
+    }
+  if (!(high > low)) return fmt::format("{:.6g}", high).size();
+  const double step = std::pow(10, std::floor(std::log10((high - low) / 5)));
+  std::size_t widest = 0;
+  for (double at = std::floor(low / step); at <= std::ceil(high / step); ++at)
+    widest = std::max(widest, fmt::format("{:.6g}", at * step).size());
+  return widest;
+}
+
+std::string history_clauses(const Plot& plot, const SideLegend& legend) {
   std::string clauses;
   for (std::size_t i = 0; i < plot.series.size(); ++i)
     if (!plot.series[i].y_error.empty())
@@ -97,14 +171,14 @@ std::string history_clauses(const Plot& plot) {
                     every, (i * every) / std::max<std::size_t>(1, plot.series.size()), mark(i), colour(i));
     clauses += fmt::format("{} using 1:2 with lines lw 1.8 dt {} lc rgb '{}' notitle, ", file_of(i), dash(i),
                            colour(i));
-    if (!s.label.empty())
+    if (!s.label.empty() && legend.names(i))
       clauses += fmt::format("keyentry with linespoints lw 1.8 dt {} pt {} ps 0.9 lc rgb '{}' title {}, ",
                              dash(i), mark(i), colour(i), gnuplot_text(s.label));
   }
   return clauses;
 }
 
-std::string xy_clauses(const Plot& plot, bool several) {
+std::string xy_clauses(const Plot& plot, const SideLegend& legend, bool several) {
   std::string clauses;
   if (plot.fit && plot.fit->ok()) {
     if (has_band(*plot.fit))
@@ -116,7 +190,8 @@ std::string xy_clauses(const Plot& plot, bool several) {
   }
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
-    const std::string title = s.label.empty() ? "notitle" : "title " + gnuplot_text(s.label);
+    const std::string title =
+        s.label.empty() || !legend.names(i) ? "notitle" : "title " + gnuplot_text(s.label);
     if (several)
       clauses +=
           fmt::format("{} using 1:2 with lines lw 1 dt 3 lc rgb '{}' notitle, ", file_of(i), colour(i));
@@ -173,39 +248,11 @@ std::string caption_of(const Plot& plot, const DisplayUnit& x, const DisplayUnit
   return fit_caption(*plot.fit, plot.x, x, plot.y, y);
 }
 
-std::size_t characters(std::string_view utf8) {
-  return static_cast<std::size_t>(std::ranges::count_if(utf8, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-/// More entries, or more letters, than this stand at the side: above the axes they would cover title and
-/// caption.
-constexpr std::size_t most_entries_above = 4, most_letters_above = 60;
-
-std::size_t legend_entries(const Plot& plot) {
-  std::size_t count = 0;
-  if (plot.fit && plot.fit->ok()) count += has_band(*plot.fit) ? 2 : 1;
-  for (const Series& s : plot.series) count += s.label.empty() ? 0 : 1;
-  return count;
-}
-
-std::size_t legend_letters(const Plot& plot) {
-  std::size_t count = 0;
-  for (const Series& s : plot.series) count += characters(s.label);
-  return count;
-}
-
-/// Share of the figure's width that the legend at the side takes: its lines, and 7.2 points a character.
-double legend_width(const Plot& plot) {
-  std::size_t longest = plot.fit ? std::string_view("quadratic fit").size() : 0;
-  for (const Series& s : plot.series) longest = std::max(longest, characters(s.label));
-  if (longest == 0) return 0.02;
-  return std::min(0.45, (74 + 7.2 * static_cast<double>(longest)) / figure_size.width);
-}
-
 std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y) {
   const bool history = plot.kind == Plot::Kind::history;
   const bool at_side =
       history || legend_entries(plot) > most_entries_above || legend_letters(plot) > most_letters_above;
+  const SideLegend legend = at_side ? side_legend(plot) : SideLegend{};
   const std::string caption = caption_of(plot, x, y);
   std::string text;
   text +=
@@ -220,15 +267,20 @@ std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y)
                       gnuplot_text(axis_label(plot.x, x)), gnuplot_text(axis_label(plot.y, y)));
   text += "set border 3 lw 1 lc rgb '#333333'\nset tics nomirror out scale 0.7 tc rgb '#222222'\n";
   text += "set grid xtics ytics lt 1 lw 0.5 lc rgb '#dddddd'\nset format '%g'\n";
-  // powers of ten are the widest numbers that an axis shows
-  text +=
-      fmt::format("set lmargin at screen {}\nset bmargin at screen 0.135\n", plot.log_axes ? 0.13 : 0.105);
+  // Title of the axis, gaps, and 6.8 points per character of the widest number; powers of ten are wider yet.
+  const double left = (47 + 6.8 * static_cast<double>(tick_characters(plot, y))) / figure_size.width;
+  text += fmt::format("set lmargin at screen {:.4f}\nset bmargin at screen 0.135\n",
+                      plot.log_axes ? 0.13 : std::max(0.105, left));
   if (at_side) {
-    const double right = 0.985 - legend_width(plot);
+    const double right = 0.985 - legend.width;
     text += fmt::format("set tmargin at screen {}\nset rmargin at screen {}\n",
                         caption.empty() ? 0.915 : 0.87, right);
-    text += fmt::format("set key at screen {}, graph 1 left top Left reverse samplen 2.5 spacing 1.25\n",
-                        right + 0.01);
+    // Lines of a legend are `spacing` times the height of the figure's own font apart, whatever its font is;
+    // where they do not fit gnuplot begins a second column outside.
+    constexpr double line_of_font_11 = 13.3;  // [points]
+    text += fmt::format(
+        "set key at screen {}, graph 1 left top Left reverse samplen 2.5 spacing {:.3f} font ',{:.1f}'\n",
+        right + 0.01, 1.5 * legend.font / line_of_font_11, legend.font);
   } else {
     const double top = caption.empty() ? 0.86 : 0.815;
     text += fmt::format("set tmargin at screen {}\nset rmargin at screen 0.965\n", top);
@@ -237,7 +289,10 @@ std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y)
   }
   text += ranges(plot, y);
   std::string clauses =
-      history ? history_clauses(plot) : xy_clauses(plot, plot.series.size() > 1 && !plot.fit);
+      history ? history_clauses(plot, legend) : xy_clauses(plot, legend, plot.series.size() > 1 && !plot.fit);
+  if (legend.every > 1)
+    clauses += fmt::format("keyentry with dots lc rgb '#ffffff' title {}, ",
+                           gnuplot_text(every_text(legend.every, plot.series.size())));
   clauses.resize(clauses.size() - 2);
   return text + "plot " + clauses + "\n";
 }
@@ -269,6 +324,8 @@ std::string fit_caption(const Fit& fit, const Quantity& x, const DisplayUnit& x_
   if (!x_unit.text.empty()) text += fmt::format(";  {} in {}", symbol(x), x_unit.text);
   if (!y_unit.text.empty()) text += fmt::format(", {} in {}", symbol(y), y_unit.text);
   if (fit.r2) text += fmt::format(";  r² = {:.4f}", *fit.r2);
+  if (const auto chi2 = fit.reduced_chi2())
+    text += fmt::format(";  χ²/ν = {:.2g}{}", *chi2, *chi2 > 1 ? ": lack of fit" : "");
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace analysis {
 namespace {
@@ -76,9 +77,34 @@ constexpr std::array names = {
     Named{"lower_upper_area_ratio", "Cavity area below over above its centre", "", "1"},
 };
 
+/// "m2" -> "m^2": the catalog writes powers without the mark.
+std::string with_powers(std::string_view unit) {
+  std::string text;
+  for (const char c : unit) {
+    const bool power = c >= '0' && c <= '9' && !text.empty() && text.back() >= 'A';
+    if (power && text.back() != '^') text += '^';
+    text += c;
+  }
+  return text;
+}
+
+/// "centroid_shift_m" without its unit.
+std::string_view without_unit(std::string_view name, std::string_view unit) {
+  std::string end = "_";
+  for (const char c : unit)
+    if (c != '^') end += c == '/' ? '_' : c;
+  return name.ends_with(end) ? name.substr(0, name.size() - end.size()) : name;
+}
+
 }  // namespace
 
-Quantity named_quantity(std::string_view name, std::string_view unit_if_unknown) {
+bool is_known_unit(std::string_view unit) {
+  return std::ranges::find(scales, with_powers(unit), &Scale::si) != scales.end();
+}
+
+Quantity named_quantity(std::string_view full_name, std::string_view unit_if_unknown) {
+  const std::string unit = with_powers(unit_if_unknown);
+  const std::string_view name = without_unit(full_name, unit);
   const auto known = std::ranges::find(names, name, &Named::key);
   if (known != names.end())
     return {std::string(known->name), std::string(known->symbol), std::string(known->unit)};
@@ -86,13 +112,14 @@ Quantity named_quantity(std::string_view name, std::string_view unit_if_unknown)
   std::ranges::replace(words, '_', ' ');
   if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
     words[0] = static_cast<char>(words[0] - 'a' + 'A');
-  return {words, "", std::string(unit_if_unknown)};
+  return {words, "", unit};
 }
 
 DisplayUnit display_unit(std::string_view si_unit, double largest) {
+  const std::string unit = with_powers(si_unit);
   const Scale* best = nullptr;
   for (const Scale& scale : scales) {
-    if (scale.si != si_unit) continue;
+    if (scale.si != unit) continue;
     best = &scale;
     if (std::abs(largest) >= 0.5 * scale.size) break;
   }
@@ -113,10 +140,24 @@ std::string axis_label(const Quantity& quantity, const DisplayUnit& unit) {
   return label;
 }
 
-std::string value_label(const Quantity& quantity, double in_si) {
+std::string value_label(const Quantity& quantity, double in_si, int digits) {
   const DisplayUnit unit = display_unit(quantity.unit, in_si);
   const std::string& name = quantity.symbol.empty() ? quantity.name : quantity.symbol;
-  return fmt::format("{} = {:.4g}{}{}", name, in_si * unit.factor, unit.text.empty() ? "" : " ", unit.text);
+  return fmt::format("{} = {:.{}g}{}{}", name, in_si * unit.factor, digits, unit.text.empty() ? "" : " ",
+                     unit.text);
+}
+
+std::vector<std::string> value_labels(const Quantity& quantity, std::span<const double> in_si) {
+  constexpr int fewest_digits = 4, most_digits = 17;
+  const std::set<double> values(in_si.begin(), in_si.end());
+  for (int digits = fewest_digits;; ++digits) {
+    std::set<std::string> distinct;
+    for (const double value : values) distinct.insert(value_label(quantity, value, digits));
+    if (distinct.size() < values.size() && digits < most_digits) continue;
+    std::vector<std::string> labels;
+    for (const double value : in_si) labels.push_back(value_label(quantity, value, digits));
+    return labels;
+  }
 }
 
 }  // namespace analysis

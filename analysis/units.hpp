@@ -1,6 +1,8 @@
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace analysis {
 
@@ -13,8 +15,12 @@ struct Quantity {
 
 /// The quantity that a study or the catalog calls by this name ("cavity_radius", "collapsibility",
 /// "pressure", ...). A name that is not known becomes words, with the unit that the caller gives ("1": a pure
-/// number).
+/// number); a unit that the name ends in, as columns and metrics do ("centroid_shift_m"), is none of the
+/// words.
 Quantity named_quantity(std::string_view name, std::string_view unit_if_unknown = "1");
+
+/// Whether display_unit has scales for an SI unit. "m2" is "m^2".
+bool is_known_unit(std::string_view si_unit);
 
 /// Shown number = SI number * factor.
 struct DisplayUnit {
@@ -33,7 +39,11 @@ DisplayUnit paper_unit(std::string_view si_unit, double largest);
 /// "Cavity radius R (µm)", "Collapsibility Φ".
 std::string axis_label(const Quantity&, const DisplayUnit&);
 
-/// "R = 1.5 µm", for legends; four digits.
-std::string value_label(const Quantity&, double in_si);
+/// "R = 1.5 µm", for legends; four digits, or as many as are asked for.
+std::string value_label(const Quantity&, double in_si, int digits = 4);
+
+/// value_label of each value, with as many digits, from four on, as it takes for different values to have
+/// different labels. Equal values have equal ones.
+std::vector<std::string> value_labels(const Quantity&, std::span<const double> in_si);
 
 }  // namespace analysis

@@ -93,6 +93,27 @@ TEST_F(FieldPlotTest, PanelsTitlesUnitsAndSize) {
   EXPECT_NE(read("f.png"), read("g.png"));
 }
 
+/// x of the middle of a text in an SVG of gnuplot.
+double place_of(const std::string& svg, const std::string& text) {
+  const auto end = svg.find(text), at = svg.rfind("translate(", end);
+  return std::stod(svg.substr(at + 10));
+}
+
+TEST_F(FieldPlotTest, TitlesOfNarrowPanelsStandApart) {
+  FieldPlot plot;
+  plot.title = "Pressure";
+  plot.value = named_quantity("pressure");
+  for (const char* title : {"t = 1.6201 ns", "t = 1.6202 ns", "t = 1.6203 ns"}) {
+    Particles p = make_block(0.05, 0.5);
+    for (double& x : p.x) x /= 20;  // a tall, narrow body
+    plot.panels.push_back({title, p});
+  }
+  draw(plot, folder_ / "narrow");
+  const std::string svg = read(folder_ / "narrow.svg");
+  const double apart = place_of(svg, "t = 1.6202 ns") - place_of(svg, "t = 1.6201 ns");
+  EXPECT_GT(apart, 13 * 0.55 * 8) << "thirteen letters of at least 8 points";
+}
+
 TEST_F(FieldPlotTest, OneParticleWithoutAValueToSpeakOfIsDrawn) {
   FieldPlot plot;
   plot.value = named_quantity("plastic_work");

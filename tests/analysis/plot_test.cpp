@@ -73,6 +73,34 @@ TEST_F(PlotTest, HistoryHasEveryCurveAndItsLabels) {
   EXPECT_EQ(entries(), 2) << "nothing but the two figures is left behind";
 }
 
+TEST_F(PlotTest, ALegendNamesEveryCurveOrSaysHowMany) {
+  draw(make_history(40), folder_ / "forty");
+  const std::string forty = read(folder_ / "forty.svg");
+  for (const char* label : {"R = 0.5 µm", "R = 10.5 µm", "R = 20 µm"}) EXPECT_THAT(forty, HasSubstr(label));
+  // In one column: a second one would lie outside.
+  const auto place = [&](const std::string& svg, const std::string& label) {
+    return std::stod(svg.substr(svg.rfind("translate(", svg.find(label)) + 10));
+  };
+  EXPECT_EQ(place(forty, "R = 0.5 µm"), place(forty, "R = 20 µm"));
+  draw(make_history(200), folder_ / "many");
+  const std::string many = read(folder_ / "many.svg");
+  EXPECT_THAT(many, HasSubstr("one in 5 of 200 is named"));
+  EXPECT_THAT(many, HasSubstr("R = 98 µm"));
+  EXPECT_EQ(place(many, "R = 0.5 µm"), place(many, "R = 98 µm"));
+}
+
+TEST_F(PlotTest, AWeightedFitSaysWhetherItHolds) {
+  Plot plot = make_xy({1e-6, 1.5e-6, 2e-6, 2.5e-6, 3e-6});
+  Series& s = plot.series[0];
+  plot.fit = fit_polynomial(FitModel::quadratic, s.x, s.y, s.y_error);
+  EXPECT_THAT(fit_caption(*plot.fit, plot.x, {1e6, "µm"}, plot.y, {1, ""}), HasSubstr("χ²/ν = 0."));
+  s.y_error.assign(5, 1e-5);
+  plot.fit = fit_polynomial(FitModel::quadratic, s.x, s.y, s.y_error);
+  EXPECT_THAT(fit_caption(*plot.fit, plot.x, {1e6, "µm"}, plot.y, {1, ""}), HasSubstr(": lack of fit"));
+  plot.fit = fit_polynomial(FitModel::quadratic, s.x, s.y);
+  EXPECT_FALSE(plot.fit->reduced_chi2());
+}
+
 TEST_F(PlotTest, XyHasPointsErrorBarsFitAndBand) {
   const Plot plot = make_xy({1e-6, 1.5e-6, 2e-6, 2.5e-6, 3e-6});
   draw(plot, folder_ / "b");

@@ -29,4 +29,30 @@ TEST(Units, Labels) {
   EXPECT_EQ(axis_label(named_quantity("rod_length", "m"), display_unit("m", 0.1)), "Rod length (mm)");
 }
 
+TEST(Units, ColumnsAndMetricsAreNamedWithoutTheirUnits) {
+  const auto label = [](const char* name, const char* unit, double largest) {
+    const Quantity quantity = named_quantity(name, unit);
+    return axis_label(quantity, display_unit(quantity.unit, largest));
+  };
+  EXPECT_EQ(label("centroid_shift_m", "m", 2e-7), "Centroid shift (nm)");
+  EXPECT_EQ(label("final_void_area_m2", "m2", 2e-12), "Final void area (µm²)");
+  EXPECT_EQ(label("final_area_m2", "m^2", 2e-12), "Final cavity area A (µm²)");
+  EXPECT_EQ(label("hot_spot_work_J_m3", "J/m3", 2e9), "Plastic work of the hot spot (GJ/m³)");
+  EXPECT_EQ(label("shock_pressure_Pa", "Pa", 3e10), "Shock pressure (GPa)");
+  EXPECT_EQ(label("jet_impact_time_s", "s", 2e-9), "Jet impact time (ns)");
+  // Every unit that runner/catalog/README.md gives to a metric.
+  for (const char* unit : {"1", "m", "m2", "s", "m/s", "Pa", "K", "J/m3", "kg/m"})
+    EXPECT_TRUE(is_known_unit(unit)) << unit;
+}
+
+TEST(Units, LabelsHaveDigitsUntilTheyDiffer) {
+  const Quantity speed = named_quantity("impact_speed"), time = named_quantity("time");
+  using Labels = std::vector<std::string>;
+  EXPECT_EQ(value_labels(speed, std::vector{1500.0, 1500.1, 1500.2}),
+            (Labels{"u = 1.5 km/s", "u = 1.5001 km/s", "u = 1.5002 km/s"}));
+  EXPECT_EQ(value_labels(time, std::vector{1e-9, 1.0001e-9, 1e-9}),
+            (Labels{"t = 1 ns", "t = 1.0001 ns", "t = 1 ns"}));
+  EXPECT_EQ(value_labels(speed, std::vector<double>{}), Labels{});
+}
+
 }  // namespace
