@@ -19,8 +19,8 @@ constexpr double window = 0.25;  ///< share of the run that counts as its end
 
 }  // namespace
 
-Cavity::Cavity(const Scene& s, const State& state)
-    : open_below_(s.kind == SceneKind::two_body_impact),
+Cavity::Cavity(const Scene& s, const State& state, bool open_below)
+    : open_below_(open_below),
       contour_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.cell_size,
                s.numerics.symmetry == Symmetry::half),
       void_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,

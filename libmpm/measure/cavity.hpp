@@ -28,7 +28,8 @@ namespace mpm {
 /// seen), cavities_at_end; and those of Jet.
 class Cavity : public Measurement {
  public:
-  Cavity(const Scene&, const State&);
+  /// `open_below`: there is no wall, so that what reaches the lowest row of the grid is the outside.
+  Cavity(const Scene&, const State&, bool open_below);
   void after_step(const State&, const StepReport&, double dt) override;
   RowRange rows_read(const Grid& grid) const override { return contour_.rows(grid); }
   void sample(const State&, Observer&) override;
@@ -38,7 +39,7 @@ class Cavity : public Measurement {
  private:
   bool joined_outside() const;
 
-  bool open_below_;  ///< no wall: what reaches the lowest row of the grid is the outside
+  bool open_below_;
   Contour contour_;
   VoidArea void_;
   Jet jet_;

@@ -3,12 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "libmpm/measure/cavity.hpp"
-#include "libmpm/measure/ejection.hpp"
 #include "libmpm/measure/hot_spots.hpp"
-#include "libmpm/measure/planar_shock.hpp"
-#include "libmpm/measure/shell.hpp"
 #include "libmpm/scene/build.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/shape/bspline2.hpp"
 #include "libmpm/shape/bspline3.hpp"
 #include "libmpm/shape/cpdi.hpp"
@@ -74,12 +71,7 @@ std::unique_ptr<Stepper> stepper_for(const Scene& s) {
 }
 
 std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene& s, const State& state) {
-  std::vector<std::unique_ptr<Measurement>> all;
-  if (has_cavity(s.kind)) all.push_back(std::make_unique<Cavity>(s, state));
-  if (has_cavity(s.kind) && s.measures.decides == Decides::ejection)
-    all.push_back(std::make_unique<Ejection>(s, state));
-  if (s.kind == SceneKind::planar_impact) all.push_back(std::make_unique<PlanarShock>(s, state));
-  if (s.kind == SceneKind::imploding_shell) all.push_back(std::make_unique<Shell>(s, state));
+  Measurements all = kind_of(s).measurements(s, state);
   all.push_back(std::make_unique<HotSpots>(
       Temperature{MieGrueneisen(s.material), s.material.specific_heat, s.material.initial_temperature}));
   return all;

@@ -2,35 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "libmpm/core/enumerators.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 
 namespace mpm {
 namespace {
-
-bool every(SceneKind) { return true; }
-bool block(SceneKind k) { return k != SceneKind::imploding_shell; }
-bool cavity(SceneKind k) { return has_cavity(k); }
-bool shell(SceneKind k) { return k == SceneKind::imploding_shell; }
-
-/// a - b - c, which has the rounding of its terms: of the numbers that it may stand for, the one with the
-/// fewest digits. A wall that was written as 1 um is 1e-06, not 9.999999999999995e-07.
-double rounded_difference(double a, double b, double c) {
-  const double difference = a - b - c;
-  const double doubt =
-      2 * std::numeric_limits<double>::epsilon() * std::max({std::abs(a), std::abs(b), std::abs(c)});
-  if (std::abs(difference) <= doubt) return 0;
-  for (int digits = 0; digits < std::numeric_limits<double>::max_digits10; ++digits) {
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof text, difference, std::chars_format::scientific, digits).ptr;
-    double rounded = difference;
-    std::from_chars(text, end, rounded);
-    if (std::abs(rounded - difference) <= doubt) return rounded;
-  }
-  return difference;  // not finite
-}
 
 using S = Scene;
 constexpr auto P = Section::parameters;
@@ -44,117 +23,111 @@ constexpr bool derived = true;
 
 #define FIELD(member) [](const S& s) -> double { return s.member; }, [](S& s, double v) { s.member = v; }
 
-// wall_thickness stands behind the three lengths that it is made of: rows are applied from the top.
+/// Rows that every kind of scene has.
 // clang-format off
-const Quantity quantity_table[] = {
-    {"impact_speed", "m/s", "impact_speed_m_s", "speed of the block onto the rigid wall; of two bodies: of each, towards the other",
-     P, positive, required, "", block, FIELD(impact_speed)},
-    {"block_width", "m", "block_width_m", "full width of the block, between its mirrors",
-     P, positive, required, "", block, FIELD(block_width)},
-    {"block_height", "m", "block_height_m", "height of the block; of two bodies: of each",
-     P, positive, required, "", block, FIELD(block_height)},
-    {"cavity_radius", "m", "cavity_radius_m", "radius of the cavity",
-     P, positive, required, "", cavity, FIELD(cavity_radius)},
-    {"cavity_center_height", "m", "cavity_center_height_m", "height of the cavity's centre above the impact face",
-     P, positive, required, "wall_thickness", cavity, FIELD(cavity_center_height)},
-    {"wall_thickness", "m", "wall_thickness_m", "downstream wall: block_height - cavity_center_height - cavity_radius",
-     P, non_negative, required, "cavity_center_height", cavity,
-     [](const S& s) { return rounded_difference(s.block_height, s.cavity_center_height, s.cavity_radius); },
-     [](S& s, double d) { s.cavity_center_height = s.block_height - d - s.cavity_radius; }, derived},
-    {"inner_radius", "m", "inner_radius_m", "inner radius of the shell",
-     P, positive, required, "", shell, FIELD(inner_radius)},
-    {"outer_radius", "m", "outer_radius_m", "outer radius of the shell",
-     P, positive, required, "", shell, FIELD(outer_radius)},
-    {"inner_speed", "m/s", "inner_speed_m_s", "speed, inwards, of the shell's inner surface: v(r) = -inner_speed inner_radius / r",
-     P, positive, required, "", shell, FIELD(inner_speed)},
+constexpr Quantity common_quantities[] = {
     {"end_time", "s", "end_time_s", "time at which a run ends",
-     P, positive, required, "", every, FIELD(end_time)},
+     P, positive, required, "", FIELD(end_time)},
     {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress",
-     P, non_negative, optional, "", every, FIELD(material.yield_stress)},
+     P, non_negative, optional, "", FIELD(material.yield_stress)},
 
     {"reference_density", "kg/m3", "reference_density_kg_m3", "density at rest",
-     M, positive, optional, "", every, FIELD(material.reference_density)},
+     M, positive, optional, "", FIELD(material.reference_density)},
     {"youngs_modulus", "Pa", "youngs_modulus_Pa", "Young's modulus of the deviator",
-     M, positive, optional, "", every, FIELD(material.youngs_modulus)},
+     M, positive, optional, "", FIELD(material.youngs_modulus)},
     {"poissons_ratio", "1", "poissons_ratio", "Poisson's ratio of the deviator",
-     M, non_negative, optional, "", every, FIELD(material.poissons_ratio)},
+     M, non_negative, optional, "", FIELD(material.poissons_ratio)},
     {"hardening_modulus", "Pa", "hardening_modulus_Pa", "hardening modulus, in the measure of hardening_measure",
-     M, non_negative, optional, "", every, FIELD(material.hardening_modulus)},
+     M, non_negative, optional, "", FIELD(material.hardening_modulus)},
     {"kinematic_fraction", "1", "kinematic_fraction", "share of the hardening that is kinematic",
-     M, non_negative, optional, "", every, FIELD(material.kinematic_fraction)},
+     M, non_negative, optional, "", FIELD(material.kinematic_fraction)},
     {"bulk_sound_speed", "m/s", "bulk_sound_speed_m_s", "c0 of Us = c0 + lambda Up",
-     M, positive, optional, "", every, FIELD(material.bulk_sound_speed)},
+     M, positive, optional, "", FIELD(material.bulk_sound_speed)},
     {"hugoniot_slope", "1", "hugoniot_slope", "lambda of Us = c0 + lambda Up",
-     M, non_negative, optional, "", every, FIELD(material.hugoniot_slope)},
+     M, non_negative, optional, "", FIELD(material.hugoniot_slope)},
     {"gruneisen_gamma", "1", "gruneisen_gamma", "Grueneisen coefficient at rest",
-     M, non_negative, optional, "", every, FIELD(material.gruneisen_gamma)},
+     M, non_negative, optional, "", FIELD(material.gruneisen_gamma)},
     {"pressure_limit", "Pa", "pressure_limit_Pa", "pressure up to which the equation of state is valid",
-     M, positive, optional, "", every, FIELD(material.pressure_limit)},
+     M, positive, optional, "", FIELD(material.pressure_limit)},
     {"specific_heat", "J/kg/K", "specific_heat_J_kg_K", "specific heat at constant volume",
-     M, positive, optional, "", every, FIELD(material.specific_heat)},
+     M, positive, optional, "", FIELD(material.specific_heat)},
     {"initial_temperature", "K", "initial_temperature_K", "temperature at rest",
-     M, non_negative, optional, "", every, FIELD(material.initial_temperature)},
+     M, non_negative, optional, "", FIELD(material.initial_temperature)},
     {"spall_strength", "Pa", "spall_strength_Pa", "tension at which pressure is cut off (tension = \"cutoff\")",
-     M, non_negative, optional, "", every, FIELD(material.spall_strength)},
+     M, non_negative, optional, "", FIELD(material.spall_strength)},
 
     {"cell_size", "m", "cell_size_m", "edge of a grid cell",
-     N, positive, required, "", every, FIELD(numerics.cell_size)},
+     N, positive, required, "", FIELD(numerics.cell_size)},
     {"particles_per_cell", "1", "particles_per_cell", "particles a cell: 1, 4, 9 or 16",
-     N, Range::count, optional, "", every,
+     N, Range::count, optional, "",
      [](const S& s) -> double { return s.numerics.particles_per_cell; },
      [](S& s, double v) { s.numerics.particles_per_cell = static_cast<int>(v); }},
     {"cfl", "1", "cfl", "share of the stability limit that a time step takes",
-     N, positive, optional, "", every, FIELD(numerics.cfl)},
+     N, positive, optional, "", FIELD(numerics.cfl)},
     {"pic_fraction", "1", "pic_fraction", "share of PIC in the FLIP transfer, a step; damps what the grid cannot see",
-     N, non_negative, optional, "", every, FIELD(numerics.pic_fraction)},
+     N, non_negative, optional, "", FIELD(numerics.pic_fraction)},
     {"linear_viscosity", "1", "linear_viscosity", "linear coefficient of the artificial viscosity",
-     N, non_negative, optional, "", every, FIELD(numerics.linear_viscosity)},
+     N, non_negative, optional, "", FIELD(numerics.linear_viscosity)},
     {"quadratic_viscosity", "1", "quadratic_viscosity", "quadratic coefficient of the artificial viscosity",
-     N, non_negative, optional, "", every, FIELD(numerics.quadratic_viscosity)},
+     N, non_negative, optional, "", FIELD(numerics.quadratic_viscosity)},
 
     {"area_every", "s", "area_every_s", "period of the area history",
-     Section::measure, positive, optional, "", every, FIELD(measures.area_every)},
-    {"detached_for", "s", "detached_for_s", "how long a part must have been off the body to count as ejected",
-     Section::measure, non_negative, optional, "", cavity, FIELD(measures.detached_for)},
+     Section::measure, positive, optional, "", FIELD(measures.area_every)},
 };
 // clang-format on
 #undef FIELD
 
-constexpr std::string_view tension_names[] = {"polynomial", "linear", "cutoff"};
-constexpr std::string_view hardening_names[] = {"norm", "equivalent", "tangent"};
-constexpr std::string_view scheme_names[] = {"gimp", "bspline2", "cpdi", "bspline3"};
-constexpr std::string_view transfer_names[] = {"flip", "apic"};
-constexpr std::string_view symmetry_names[] = {"half", "full"};
-constexpr std::string_view kernel_names[] = {"fast", "reference"};
-constexpr std::string_view precision_names[] = {"double", "float"};
-constexpr std::string_view decides_names[] = {"collapse", "ejection"};
-constexpr std::string_view stop_names[] = {"end-time", "decided"};
-constexpr std::string_view kind_names[] = {"cavity-impact", "planar-impact", "two-body-impact",
-                                           "imploding-shell"};
+/// An enumerator and its word.
+template <class E>
+struct Word {
+  E value;
+  std::string_view word;
+};
+/// The words of an enum, checked: each enumerator has one, in the order of the enum.
+template <class E, std::size_t count>
+constexpr std::array<std::string_view, count> words(const Word<E> (&list)[count]) {
+  static_assert(count == enumerators<E>(), "each enumerator has one word");
+  std::array<std::string_view, count> names;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (list[i].value != static_cast<E>(i)) throw "words must be in the order of their enum";
+    names[i] = list[i].word;
+  }
+  return names;
+}
+
+constexpr auto tension_words = words<Tension>(
+    {{Tension::polynomial, "polynomial"}, {Tension::linear, "linear"}, {Tension::cutoff, "cutoff"}});
+constexpr auto hardening_words = words<HardeningMeasure>({{HardeningMeasure::norm, "norm"},
+                                                          {HardeningMeasure::equivalent, "equivalent"},
+                                                          {HardeningMeasure::tangent, "tangent"}});
+constexpr auto scheme_words = words<ShapeFunction>({{ShapeFunction::gimp, "gimp"},
+                                                    {ShapeFunction::bspline2, "bspline2"},
+                                                    {ShapeFunction::cpdi, "cpdi"},
+                                                    {ShapeFunction::bspline3, "bspline3"}});
+constexpr auto transfer_words = words<Transfer>({{Transfer::flip, "flip"}, {Transfer::apic, "apic"}});
+constexpr auto symmetry_words = words<Symmetry>({{Symmetry::half, "half"}, {Symmetry::full, "full"}});
+constexpr auto kernel_words = words<Kernel>({{Kernel::fast, "fast"}, {Kernel::reference, "reference"}});
+constexpr auto precision_words =
+    words<Precision>({{Precision::double_precision, "double"}, {Precision::single_precision, "float"}});
 
 #define CHOICE(member)                                           \
   [](const S& s) { return static_cast<std::size_t>(s.member); }, \
       [](S& s, std::size_t i) { s.member = static_cast<decltype(s.member)>(i); }
 
-const Choice choice_table[] = {
-    {"tension", "tension", "pressure of expanded material", M, tension_names, every,
-     CHOICE(material.tension)},
-    {"hardening_measure", "hardening_measure", "measure of strain of hardening_modulus", M, hardening_names,
-     every, CHOICE(material.hardening_measure)},
-    {"scheme", "scheme", "shape functions", N, scheme_names, every, CHOICE(numerics.scheme)},
+constexpr Choice common_choices[] = {
+    {"tension", "tension", "pressure of expanded material", M, tension_words, CHOICE(material.tension)},
+    {"hardening_measure", "hardening_measure", "measure of strain of hardening_modulus", M, hardening_words,
+     CHOICE(material.hardening_measure)},
+    {"scheme", "scheme", "shape functions", N, scheme_words, CHOICE(numerics.scheme)},
     {"transfer", "transfer",
-     "how particles and grid exchange velocities: acceleration, or velocity and gradient", N, transfer_names,
-     every, CHOICE(numerics.transfer), "flip"},
-    {"symmetry", "symmetry", "model half of the scene (a quarter of a shell) or all of it", N, symmetry_names,
-     every, CHOICE(numerics.symmetry)},
+     "how particles and grid exchange velocities: acceleration, or velocity and gradient", N, transfer_words,
+     CHOICE(numerics.transfer), "flip"},
+    {"symmetry", "symmetry", "model half of the scene (a quarter of a shell) or all of it", N, symmetry_words,
+     CHOICE(numerics.symmetry)},
     {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against",
-     N, kernel_names, every, CHOICE(numerics.kernel)},
+     N, kernel_words, CHOICE(numerics.kernel)},
     {"precision", "precision", "numbers of the fast step; the reference step has double only", N,
-     precision_names, every, CHOICE(numerics.precision)},
-    {"decides", "decides", "what the outcome of a run says: is the cavity gone, or is material ejected",
-     Section::measure, decides_names, cavity, CHOICE(measures.decides)},
-    {"stop", "stop", "when a run ends: at end_time, or as soon as its ejection is decided", Section::measure,
-     stop_names, cavity, CHOICE(measures.stop)},
+     precision_words, CHOICE(numerics.precision)},
 };
 #undef CHOICE
 
@@ -165,18 +138,65 @@ auto find_row(const Rows& rows, std::string_view name) -> decltype(&rows[0]) {
   return nullptr;
 }
 
+/// Takes the rows of a kind; one that an earlier kind has too is shared.
+template <class Row>
+void add(std::vector<Row>& table, std::span<const Row> rows, SceneKind kind, bool parameters) {
+  for (Row row : rows) {
+    if ((row.section == Section::parameters) != parameters) continue;
+    const unsigned bit = 1u << static_cast<unsigned>(kind);
+    const auto there = std::ranges::find(table, row.name, &Row::name);
+    if (there == table.end()) {
+      row.belongs_to.bits = bit;
+      table.push_back(row);
+    } else if (there->get == row.get && there->set == row.set && there->column == row.column) {
+      there->belongs_to.bits |= bit;
+    } else {
+      throw std::logic_error("two kinds of scene have different rows " + std::string(row.name));
+    }
+  }
+}
+
+/// What scenes of a kind are made of, what all scenes have, and how scenes of a kind are measured and
+/// computed.
+template <class Row>
+std::vector<Row> table_of(std::span<const Row> common, std::span<const Row> Kind::*own) {
+  std::vector<Row> table;
+  for (const Kind* kind : kinds()) add(table, kind->*own, kind->kind, true);
+  table.insert(table.end(), common.begin(), common.end());
+  for (const Kind* kind : kinds()) add(table, kind->*own, kind->kind, false);
+  return table;
+}
+
+const std::vector<Quantity>& quantity_table() {
+  static const auto table = table_of<Quantity>(common_quantities, &Kind::quantities);
+  return table;
+}
+const std::vector<Choice>& choice_table() {
+  static const auto table = table_of<Choice>(common_choices, &Kind::choices);
+  return table;
+}
+
+const std::vector<std::string_view>& kind_names() {
+  static const auto names = [] {
+    std::vector<std::string_view> all;
+    for (const Kind* kind : kinds()) all.push_back(kind->name);
+    return all;
+  }();
+  return names;
+}
+
 }  // namespace
 
-std::span<const Quantity> quantities() { return quantity_table; }
-std::span<const Choice> choices() { return choice_table; }
-const Quantity* find_quantity(std::string_view name) { return find_row(quantity_table, name); }
-const Choice* find_choice(std::string_view name) { return find_row(choice_table, name); }
+std::span<const Quantity> quantities() { return quantity_table(); }
+std::span<const Choice> choices() { return choice_table(); }
+const Quantity* find_quantity(std::string_view name) { return find_row(quantity_table(), name); }
+const Choice* find_choice(std::string_view name) { return find_row(choice_table(), name); }
 
-std::span<const std::string_view> scene_kind_names() { return kind_names; }
-std::string_view to_string(SceneKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+std::span<const std::string_view> scene_kind_names() { return kind_names(); }
+std::string_view to_string(SceneKind kind) { return kind_of(kind).name; }
 std::optional<SceneKind> scene_kind_from(std::string_view name) {
-  for (std::size_t i = 0; i < std::size(kind_names); ++i)
-    if (kind_names[i] == name) return static_cast<SceneKind>(i);
+  for (const Kind* kind : kinds())
+    if (kind->name == name) return kind->kind;
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// The one list of everything that a scene can be told. Study files, job keys, catalog columns and messages
-/// are all made from it: a new parameter is a member of Scene and one row here.
+/// are all made from it. Rows that every kind of scene has stand in parameters.cpp, the others in the files
+/// of their kinds (kinds/): a new parameter is a member of Scene and one row.
 #include <optional>
 #include <span>
 #include <string_view>
@@ -21,6 +22,12 @@ enum class Range {
   any
 };
 
+/// Kinds of scene that have a row; all of them, where nothing is said.
+struct KindSet {
+  unsigned bits = ~0u;
+  constexpr bool operator()(SceneKind kind) const { return (bits >> static_cast<unsigned>(kind)) & 1u; }
+};
+
 /// A number with a unit.
 struct Quantity {
   std::string_view name;     ///< in study files and messages: "impact_speed"
@@ -31,10 +38,13 @@ struct Quantity {
   Range range;
   bool required;                 ///< no default: a study must say it (or its alternative)
   std::string_view alternative;  ///< another name for the same degree of freedom, or ""
-  bool (*belongs_to)(SceneKind);
   double (*get)(const Scene&);
   void (*set)(Scene&, double);  ///< order matters: rows are applied from the top
-  bool derived = false;         ///< made of other rows: no freedom of its own, no part of a job's key
+  KindSet belongs_to = {};
+  bool derived = false;  ///< made of other rows: no freedom of its own, no part of a job's key
+  /// The value that says what every scene did before there was the row; the default of the member of Scene.
+  /// It is left out of the identity of a scene, so that what was computed then is still found.
+  std::optional<double> implied = {};
 };
 
 /// A choice among words.
@@ -44,12 +54,12 @@ struct Choice {
   std::string_view meaning;
   Section section;
   std::span<const std::string_view> allowed;
-  bool (*belongs_to)(SceneKind);
   std::size_t (*get)(const Scene&);  ///< index into allowed
   void (*set)(Scene&, std::size_t);
   /// The word that says what every scene did before there was the choice. It is left out of the identity of a
   /// scene, so that what was computed then is still found.
   std::string_view implied = "";
+  KindSet belongs_to = {};
 };
 
 std::span<const Quantity> quantities();

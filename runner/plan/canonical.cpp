@@ -19,11 +19,11 @@ void append_number(std::string& text, double value) {
 
 }  // namespace
 
-std::string canonical_text(const mpm::Scene& scene) {
+std::string canonical_text(const mpm::Scene& scene, std::span<const mpm::Quantity> rows) {
   std::string text = "physics_version=" + std::to_string(mpm::physics_version) + "\n";
   text.append("scene=").append(mpm::to_string(scene.kind)).append("\n");
-  for (const mpm::Quantity& row : mpm::quantities()) {
-    if (row.derived || !row.belongs_to(scene.kind)) continue;
+  for (const mpm::Quantity& row : rows) {
+    if (row.derived || !row.belongs_to(scene.kind) || row.get(scene) == row.implied) continue;
     text.append(row.name).append("=");
     append_number(text, row.get(scene));
     text.append("\n");

@@ -2,9 +2,11 @@
 /// What a study wants: jobs with their keys and costs. Pure: no clock, no disk.
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "libmpm/scene/parameters.hpp"
 #include "libmpm/scene/scene.hpp"
 #include "runner/plan/cost_model.hpp"
 #include "runner/study/study.hpp"
@@ -13,7 +15,8 @@ namespace mpmstudy {
 
 /// Canonical text of everything that decides a result: one "name=value" line per parameter of the scene's
 /// kind, numbers as hexadecimal floats, in the order of libmpm/scene/parameters.hpp, and the physics version.
-std::string canonical_text(const mpm::Scene&);
+/// Rows whose value is the implied one are left out.
+std::string canonical_text(const mpm::Scene&, std::span<const mpm::Quantity> = mpm::quantities());
 
 /// 32 hexadecimal digits: XXH3-128 of canonical_text. Same key, same result.
 std::string job_key(const mpm::Scene&);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "libmpm/scene/kinds/kind.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/requests.hpp"
 #include "runner/study/schema.hpp"
@@ -45,33 +46,9 @@ double finer_cell(double cell, int rungs) {
   return rungs == 2 * pairs ? finer : finer / rung_ratio();
 }
 
-double coarsest_cell(const mpm::Scene& s) {
-  constexpr double cells_a_radius = 4, cells_a_width = 8, cells_a_height = 64;
-  switch (s.kind) {
-    case mpm::SceneKind::cavity_impact:
-    case mpm::SceneKind::two_body_impact:
-      return std::min(
-          {s.cavity_radius / cells_a_radius, s.block_width / cells_a_width, s.block_height / cells_a_width});
-    case mpm::SceneKind::planar_impact:
-      return std::min(s.block_width / cells_a_width, s.block_height / cells_a_height);
-    case mpm::SceneKind::imploding_shell:
-      return std::min(s.inner_radius, s.outer_radius - s.inner_radius) / cells_a_radius;
-  }
-  return 0;
-}
+double coarsest_cell(const mpm::Scene& s) { return mpm::kind_of(s).coarsest_cell(s); }
 
-std::string_view default_accuracy_of(mpm::SceneKind kind) {
-  switch (kind) {
-    case mpm::SceneKind::cavity_impact:
-    case mpm::SceneKind::two_body_impact:
-      return "collapsibility";
-    case mpm::SceneKind::planar_impact:
-      return "free_surface_speed_m_s";
-    case mpm::SceneKind::imploding_shell:
-      return "stop_radius_m";
-  }
-  return {};
-}
+std::string_view default_accuracy_of(mpm::SceneKind kind) { return mpm::kind_of(kind).headline; }
 
 LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> kind, const Units& units,
                           Problems& problems) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "libmpm/scene/parameters.hpp"
 #include "runner/plan/plan.hpp"
@@ -21,8 +22,8 @@ mpm::Scene fixed_scene(mpm::SceneKind kind = mpm::SceneKind::cavity_impact) {
   mpm::Scene scene;
   scene.kind = kind;
   double value = 1;
-  for (const mpm::Quantity& row : mpm::quantities())
-    if (!row.derived) row.set(scene, value++);
+  for (const mpm::Quantity& row : mpm::quantities())  // a row with an implied value came later
+    if (!row.derived && !row.implied) row.set(scene, value++);
   for (const mpm::Choice& row : mpm::choices()) row.set(scene, 0);
   scene.measures.snapshots = {1, 2};
   return scene;
@@ -90,6 +91,24 @@ TEST(JobKey, LastBitCounts) {
   mpm::Scene scene = fixed_scene(), other = scene;
   other.end_time = std::nextafter(other.end_time, 1e9);
   EXPECT_NE(job_key(scene), job_key(other));
+}
+
+// A row that is added leaves the keys of what was computed before it alone, and new values have keys of their
+// own.
+TEST(CanonicalText, LeavesOutWhatARowImplies) {
+  mpm::Scene scene = fixed_scene();
+  scene.numerics.pic_fraction = 0;
+  std::vector<mpm::Quantity> rows(mpm::quantities().begin(), mpm::quantities().end());
+  std::vector<mpm::Quantity> before;
+  for (mpm::Quantity& row : rows)
+    if (row.name == "pic_fraction")
+      row.implied = 0;
+    else
+      before.push_back(row);
+  EXPECT_EQ(canonical_text(scene, rows), canonical_text(scene, before));
+  scene.numerics.pic_fraction = 0.5;
+  EXPECT_NE(canonical_text(scene, rows), canonical_text(scene, before));
+  EXPECT_EQ(canonical_text(scene, rows), canonical_text(scene));
 }
 
 TEST(CanonicalText, LeavesOutWhatIsDerived) {

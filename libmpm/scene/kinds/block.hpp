@@ -1,0 +1,27 @@
+#pragma once
+/// What those kinds of scene share in which a block falls onto y = 0: v_y = -impact_speed.
+#include "libmpm/scene/kinds/kind.hpp"
+
+namespace mpm::with_block {
+
+// clang-format off
+inline constexpr Quantity impact_speed{
+    "impact_speed", "m/s", "impact_speed_m_s", "speed of the block onto the rigid wall; of two bodies: of each, towards the other",
+    Section::parameters, Range::positive, true, "", get<&Scene::impact_speed>, set<&Scene::impact_speed>};
+inline constexpr Quantity width{
+    "block_width", "m", "block_width_m", "full width of the block, between its mirrors",
+    Section::parameters, Range::positive, true, "", get<&Scene::block_width>, set<&Scene::block_width>};
+inline constexpr Quantity height{
+    "block_height", "m", "block_height_m", "height of the block; of two bodies: of each",
+    Section::parameters, Range::positive, true, "", get<&Scene::block_height>, set<&Scene::block_height>};
+// clang-format on
+
+void check(const Scene&, Report&);
+Extent extent(const Scene&);
+/// Cells are stretched by less than half a cell in all so that walls and free surface lie on nodes.
+Lattice lattice(const Scene&);
+Floor floor(const Scene&);
+double area(const Scene&, const Lattice&);
+double fastest(const Scene&);
+
+}  // namespace mpm::with_block

@@ -1,0 +1,51 @@
+// A block without a cavity falls onto a rigid wall: one planar shock.
+#include <algorithm>
+
+#include "libmpm/measure/planar_shock.hpp"
+#include "libmpm/scene/kinds/block.hpp"
+
+namespace mpm {
+namespace {
+
+constexpr Quantity rows[] = {with_block::impact_speed, with_block::width, with_block::height};
+
+/// Behind a planar shock one particle per cell with a domain that tiles leaves the least noise, and the
+/// deviator needs a linear viscosity of 1: measured by tests/verification.
+void set_default_numerics(Numerics& n) {
+  n.scheme = ShapeFunction::gimp;
+  n.particles_per_cell = 1;
+  n.linear_viscosity = 1;
+}
+
+Body body(const Scene& s, const Lattice& l) {
+  const double u = s.impact_speed;
+  return {everywhere(), [u](const Vec2&) { return Vec2(0, -u); }, l.center};
+}
+
+double coarsest_cell(const Scene& s) { return std::min(s.block_width / 8, s.block_height / 64); }
+
+Measurements measurements(const Scene& s, const State& state) {
+  Measurements all;
+  all.push_back(std::make_unique<PlanarShock>(s, state));
+  return all;
+}
+
+}  // namespace
+
+extern constinit const Kind planar_impact{SceneKind::planar_impact,
+                                          "planar-impact",
+                                          rows,
+                                          {},
+                                          "free_surface_speed_m_s",
+                                          set_default_numerics,
+                                          with_block::check,
+                                          with_block::extent,
+                                          with_block::lattice,
+                                          with_block::floor,
+                                          body,
+                                          with_block::area,
+                                          with_block::fastest,
+                                          coarsest_cell,
+                                          measurements};
+
+}  // namespace mpm

@@ -1,0 +1,63 @@
+// A block with a cavity meets one of the same size without, which comes towards it; they meet at y = 0.
+#include <cmath>
+
+#include "libmpm/scene/kinds/cavity.hpp"
+
+namespace mpm {
+namespace {
+
+/// With the struck block, and below it the way that its rear face goes after the shock, at most at
+/// impact_speed.
+Lattice lattice(const Scene& s) {
+  Lattice l = with_block::lattice(s);
+  const int room = static_cast<int>(std::ceil(s.impact_speed * s.end_time / l.cell.y())) + 4;
+  l.empty_rows = room;
+  l.origin.y() = -(l.rows + room) * l.cell.y();
+  l.rows += l.rows + room;
+  return l;
+}
+
+void check(const Scene& s, Report& report) {
+  constexpr double most_cells = 1e9;
+  const double h = s.numerics.cell_size;
+  const double cells = s.block_width / h * ((2 * s.block_height + s.impact_speed * s.end_time) / h);
+  report.require(
+      cells <= most_cells, "end_time",
+      "short enough for at most 1e9 cells of the way that the bodies go at impact_speed (these would be " +
+          text_of(cells) + ")");
+  with_cavity::check(s, report);
+}
+
+Extent extent(const Scene& s) { return {s.block_width, 2 * s.block_height}; }
+
+Body body(const Scene& s, const Lattice& l) {
+  const double u = s.impact_speed, face = -l.center.y();  // y = 0, from the cavity's centre
+  return {everywhere() - disc({0, 0}, s.cavity_radius),
+          [=](const Vec2& x) { return Vec2(0, x.y() < face ? u : -u); }, l.center};
+}
+
+double area(const Scene& s, const Lattice& l) { return with_block::area(s, l) * 2 - with_cavity::hole(s, l); }
+
+Measurements measurements(const Scene& s, const State& state) {
+  return with_cavity::measurements(s, state, true);
+}
+
+}  // namespace
+
+extern constinit const Kind two_body_impact{SceneKind::two_body_impact,
+                                            "two-body-impact",
+                                            with_cavity::rows,
+                                            with_cavity::choices,
+                                            "collapsibility",
+                                            with_cavity::set_default_numerics,
+                                            check,
+                                            extent,
+                                            lattice,
+                                            with_block::floor,
+                                            body,
+                                            area,
+                                            with_block::fastest,
+                                            with_cavity::coarsest_cell,
+                                            measurements};
+
+}  // namespace mpm
