@@ -24,6 +24,7 @@
 #include "runner/cli/retry.hpp"
 #include "runner/cli/run.hpp"
 #include "runner/cli/status.hpp"
+#include "runner/cli/usage.hpp"
 #include "runner/cli/verify.hpp"
 #include "runner/cli/watch.hpp"
 #include "runner/finish/finish_study.hpp"
@@ -94,5 +95,6 @@ int main(int argc, char** argv) {
       "--version", fmt::format("mpmstudy {}, physics version {}", MPMSTUDY_VERSION, mpm::physics_version));
   app.require_subcommand(0, 1);
   setup_verbs(app);
+  app.failure_message(mpmstudy::usage_message);
   return check_output(run(app, argc, argv));
 }

@@ -58,6 +58,9 @@ CatalogState read_all(SQLite::Database& db) {
       db.execAndGet("SELECT count(*) FROM job WHERE physics_version < (SELECT version FROM physics)")
           .getInt64();
   const auto now = utc_now();
+  SQLite::Statement processes(
+      db, "SELECT " + std::string(runner_columns) + " FROM runner r WHERE r.ended_at IS NULL");
+  while (processes.executeStep()) state.processes += runner_row(processes, 0, now).gone.empty();
   SQLite::Statement running(db,
                             "SELECT j.key, s.name, j.started_at, j.attempt, " + std::string(runner_columns) +
                                 " FROM job j JOIN runner r ON r.id = j.runner_id " + std::string(of_studies) +

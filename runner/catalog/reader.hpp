@@ -34,7 +34,8 @@ struct FailedJob {
 struct CatalogState {
   std::vector<StudyState> studies;
   StudyState no_study;  ///< jobs that no study has any longer; its name is ""; empty where studies are named
-  std::int64_t stale = 0;  ///< jobs of an older physics version, in whatever study
+  std::int64_t stale = 0;      ///< jobs of an older physics version, in whatever study
+  std::int64_t processes = 0;  ///< that work on this catalog now; between two jobs, too
   std::vector<RunningJob> running;
   std::vector<FailedJob> failed;
 };

@@ -47,9 +47,17 @@ std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
     if (c.belongs_to(here.kind) && c.get(here) != c.get(there))
       all.push_back({c.name, readable(c, here), readable(c, there)});
   if (here.measures.snapshots != there.measures.snapshots)
-    all.push_back({"snapshots", fmt::format("{} times", here.measures.snapshots.size()),
-                   fmt::format("{} times", there.measures.snapshots.size())});
+    all.push_back({"snapshots", counted(std::ssize(here.measures.snapshots), "time"),
+                   counted(std::ssize(there.measures.snapshots), "time")});
   return all;
+}
+
+/// What a named material has a value for.
+bool of_material(std::string_view name) {
+  if (const auto* row = mpm::find_quantity(name))
+    return row->section == mpm::Section::material || name == "yield_stress";
+  const auto* row = mpm::find_choice(name);
+  return row && row->section == mpm::Section::material;
 }
 
 /// Where the study says it: "studies/a.toml:12:16"; a value of a default says that.
@@ -68,6 +76,8 @@ std::string place_of(const std::optional<Wanted>& wanted, std::string_view name)
     if (other != given.end()) return wanted->study.places[static_cast<std::size_t>(other - given.begin())];
   }
   if (name == "cell_size" && !wanted->study.ladder_place.empty()) return wanted->study.ladder_place;
+  if (of_material(name) && !wanted->study.material_place.empty())
+    return wanted->study.material_place + ", of the material";
   return "a default";
 }
 

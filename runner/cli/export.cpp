@@ -1,55 +1,86 @@
 #include "runner/cli/export.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/output_file.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/catalog/row_format.hpp"
+#include "runner/study/schema.hpp"
 
 namespace mpmstudy {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A view, and how its rows are told by study and ordered: the same catalog gives the same file.
+/// A view of the catalog, and how its rows are told by study and ordered.
 struct Exported {
-  const char* view;
-  bool has_study;  ///< a column of its own; or by the keys of the study's jobs
-  const char* order;
-};
-constexpr Exported views[] = {
-    {"jobs", true, "study, position, key"},
-    {"metrics", false, "key, name"},
-    {"area_history", false, "key, time_s"},
-    {"fits", true, "study, quantity, against, model, coefficient"},
-    {"brackets", true, "study, position"},
-    {"critical_speed", true, "study, wall_thickness_m, cell_size_m"},
-    {"snapshots", false, "key, path"},
-    {"accuracy", true, "study, key, quantity"},
-    {"ladders", true, "study, position, key, cell_size_m, quantity"},
+  std::string view;
+  std::vector<std::string> columns;
+
+  bool has(std::string_view column) const { return std::ranges::find(columns, column) != columns.end(); }
 };
 
+/// Every view that the catalog has, in the order of their names.
+std::vector<Exported> views_of(const std::string& results) {
+  std::vector<Exported> views;
+  for (const auto& row :
+       query(results, "SELECT name FROM sqlite_master WHERE type = 'view' ORDER BY name").rows) {
+    const auto& name = std::get<std::string>(row[0]);
+    views.push_back({name, query(results, fmt::format("SELECT * FROM \"{}\" LIMIT 0", name)).names});
+  }
+  return views;
+}
+
+/// Columns that come first in the order of rows; the others break ties, so that the same catalog gives the
+/// same file.
+constexpr std::string_view order_first[] = {"id",       "study",   "position", "key",
+                                            "name",     "path",    "time_s",   "cell_size_m",
+                                            "quantity", "against", "model",    "coefficient"};
+/// Rows that these tell apart need no ties broken: sorting a long history by all columns takes its time.
+constexpr std::string_view identities[] = {"id", "time_s", "path"};
+
+std::string order_of(const Exported& exported) {
+  std::vector<std::string> order;
+  const auto add = [&](std::string_view column) {
+    if (std::ranges::find(order, column) == order.end()) order.emplace_back(column);
+  };
+  for (const auto column : order_first)
+    if (exported.has(column)) add(column);
+  if (std::ranges::none_of(identities, [&](auto column) { return exported.has(column); }))
+    std::ranges::for_each(exported.columns, add);
+  return fmt::format("\"{}\"", fmt::join(order, "\", \""));
+}
+
+/// Views without a study are told by the keys of its jobs, or by its name.
 std::string sql_of(const Exported& exported, bool one_study) {
-  const char* filter = !one_study           ? ""
-                       : exported.has_study ? " WHERE study = ?1"
-                                            : " WHERE key IN (SELECT key FROM jobs WHERE study = ?1)";
-  return fmt::format("SELECT * FROM {}{} ORDER BY {}", exported.view, filter, exported.order);
+  std::string filter;
+  if (one_study && exported.has("study"))
+    filter = " WHERE study = ?1";
+  else if (one_study && exported.has("key"))
+    filter = " WHERE key IN (SELECT key FROM jobs WHERE study = ?1)";
+  else if (one_study && exported.view == "studies")
+    filter = " WHERE name = ?1";
+  return fmt::format("SELECT * FROM \"{}\"{} ORDER BY {}", exported.view, filter, order_of(exported));
 }
 
 void write(const Exported& exported, const ExportOptions& options, RowFormat format, std::ostream& out) {
   const auto sink = make_row_sink(format, out);
   const SqlValue study = options.study;
   const bool one_study = !options.study.empty();
-  query(options.results, sql_of(exported, one_study), *sink,
-        one_study ? std::span(&study, 1) : std::span<const SqlValue>());
+  const std::string sql = sql_of(exported, one_study);
+  const bool asks = sql.find("?1") != std::string::npos;
+  query(options.results, sql, *sink, asks ? std::span(&study, 1) : std::span<const SqlValue>());
 }
 
 void write_file(const Exported& exported, const ExportOptions& options, RowFormat format,
@@ -60,15 +91,23 @@ void write_file(const Exported& exported, const ExportOptions& options, RowForma
   fmt::print("{}\n", path.string());
 }
 
+std::string no_such_view(const std::string& name, const std::vector<Exported>& views) {
+  std::vector<std::string_view> names;
+  for (const auto& exported : views) names.push_back(exported.view);
+  names.push_back("all");
+  const auto near = nearest(name, names);
+  return fmt::format("{}: there is no such view; {}", name,
+                     near.empty() ? "allowed: " + listed(names) : fmt::format("did you mean {}?", near));
+}
+
 }  // namespace
 
 void setup_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App& verb = *app.add_subcommand("export", "Write views of the catalog as CSV or JSON");
   verb.add_option("--what", options->what,
-                  "jobs, metrics, area_history, fits, brackets, critical_speed, snapshots, accuracy, ladders or all")
-      ->check(CLI::IsMember({"jobs", "metrics", "area_history", "fits", "brackets", "critical_speed", "snapshots",
-                             "accuracy", "ladders", "all"}))
+                  "A view of the catalog (runner/catalog/README.md lists them), or all of them")
+      ->type_name("VIEW|all")
       ->capture_default_str();
   verb.add_option("--study", options->study, "Rows of this study only")->type_name("NAME");
   verb.add_option("--format", options->format, "csv or json")
@@ -85,9 +124,8 @@ int run_export(const ExportOptions& options) {
   if (!format || *format == RowFormat::table)
     throw CatalogError("--format: " + options.format + ": csv or json");
   if (!options.study.empty()) read_state(options.results, {options.study});  // throws if there is none
-  const auto name_of = [&](const Exported& exported) {
-    return std::string(exported.view) + "." + options.format;
-  };
+  const auto name_of = [&](const Exported& exported) { return exported.view + "." + options.format; };
+  const auto views = views_of(options.results);
 
   if (options.what == "all") {
     if (options.output == "-") throw CatalogError("--output: -: all views go to files; name a folder");
@@ -96,9 +134,8 @@ int run_export(const ExportOptions& options) {
     for (const auto& exported : views) write_file(exported, options, *format, folder / name_of(exported));
     return exit_ok;
   }
-  const auto* exported =
-      std::ranges::find_if(views, [&](const Exported& e) { return e.view == options.what; });
-  if (exported == std::end(views)) throw CatalogError("--what: " + options.what + ": there is no such view");
+  const auto exported = std::ranges::find(views, options.what, &Exported::view);
+  if (exported == views.end()) throw CatalogError("--what: " + no_such_view(options.what, views));
   if (options.output.empty() || options.output == "-") {
     write(*exported, options, *format, std::cout);
     return exit_ok;

@@ -21,6 +21,8 @@
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/cli/amounts.hpp"
+#include "runner/cli/job_labels.hpp"
+#include "runner/cli/print_results.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/cli/run_slurm.hpp"
 #include "runner/exec/git_revision.hpp"
@@ -28,26 +30,11 @@
 #include "runner/exec/run_studies.hpp"
 #include "runner/exec/signals.hpp"
 #include "runner/status/label.hpp"
+#include "runner/status/rounds.hpp"
 #include "runner/status/terminal_status.hpp"
 
 namespace mpmstudy {
 namespace {
-
-/// Names of what jobs differ in: what any of the studies sweeps or searches, in the order in which they
-/// occur, and the cell where one has a ladder of them.
-std::vector<std::string> swept_names(const std::vector<Study>& studies) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name) {
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  };
-  for (const auto& study : studies) {
-    std::ranges::for_each(study.swept, add);
-    if (study.search) add(study.search->critical);
-  }
-  if (std::ranges::any_of(studies, [](const Study& study) { return study.ladder.cells > 1; }))
-    add("cell_size");
-  return names;
-}
 
 /// Two files with one name would take each other's jobs away.
 void check_names(const std::vector<Study>& studies) {
@@ -58,20 +45,25 @@ void check_names(const std::vector<Study>& studies) {
                        other->second.string() + "; studies that share a catalog have names of their own");
 }
 
-std::unique_ptr<Status> make_status(const RunOptions& options, const std::vector<Study>& studies) {
+std::unique_ptr<Status> make_status(const RunOptions& options, const JobLabels& labels) {
+  const auto label = [&labels](const Job& job) { return labels(job); };
   const char* term = std::getenv("TERM");
   const bool live = isatty(STDOUT_FILENO) != 0 && term != nullptr && std::string_view(term) != "dumb";
   if (live && !options.quiet && !options.verbose) {
     TerminalOptions terminal;
-    terminal.swept = swept_names(studies);
+    terminal.label = label;
     return make_terminal_status(std::cout, terminal);
   }
-  return make_plain_status(std::cout, {options.verbose ? 2.0 : 30.0, swept_names(studies), options.quiet});
+  PlainOptions plain;
+  if (options.verbose) plain.progress_every_s = 2;
+  plain.quiet = options.quiet;
+  plain.label = label;
+  return make_plain_status(std::cout, plain);
 }
 
 /// --dry-run: what a run would do. Writes nothing, and needs no catalog.
 int print_intent(const RunOptions& options, const std::vector<Study>& studies,
-                 const std::vector<PlannedStudy>& planned, const CostModel& cost) {
+                 const std::vector<PlannedStudy>& planned, const CostModel& cost, const JobLabels& labels) {
   std::map<std::string, std::string> known;
   if (std::filesystem::exists(catalog_path(options.results)))
     for (const auto& row : query(options.results, "SELECT DISTINCT key, status FROM jobs").rows)
@@ -92,10 +84,11 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
       seconds += job.predicted_seconds;
     }
   std::ranges::stable_sort(jobs, std::ranges::greater{}, &Job::predicted_seconds);
-  const auto swept = swept_names(studies);
   for (const auto& job : jobs)
-    fmt::print("{}  {} particles, {} steps, {}  {}\n", short_key(job.key), job.estimate.particles,
-               job.estimate.steps, readable_duration(job.predicted_seconds), label_of(job.scene, swept));
+    fmt::print("{}\n", cut_text(fmt::format("{}  {} particles, {} steps, {}  {}", short_key(job.key),
+                                            job.estimate.particles, job.estimate.steps,
+                                            readable_duration(job.predicted_seconds), labels(job)),
+                                line_columns));
   auto count = static_cast<std::int64_t>(jobs.size());
   bool about = false;
   for (const auto& study : studies) {
@@ -124,6 +117,29 @@ bool finish_studies(const std::vector<Study>& studies, const RunOptions& options
       good = false;
     }
   return good;
+}
+
+/// What each study has come to, in the order of the command line; quiet: brackets of searches only.
+void print_studies(const std::vector<Study>& studies, const std::map<std::string, SearchReport>& searches,
+                   const std::filesystem::path& results, bool quiet) {
+  for (const auto& study : studies) {
+    if (const auto search = searches.find(study.name); search != searches.end()) {
+      fmt::print("\n{}: {}\n", study.name, study.title);
+      print_search(study, search->second);
+      fmt::print("{}", fits_text(study, results));
+    } else if (!quiet) {
+      fmt::print("{}", results_text(study, results));
+    }
+  }
+  if (!quiet) fmt::print("\n");
+}
+
+/// The jobs of the plans, each to the study of its name.
+void add_labels(JobLabels& labels, const std::vector<Study>& studies,
+                const std::vector<PlannedStudy>& planned) {
+  for (const auto& one : planned)
+    for (std::size_t i = 0; i < studies.size(); ++i)
+      if (studies[i].name == one.plan.study) labels.add(all_jobs(one.plan), i);
 }
 
 ExecutorOptions executor_options(const RunOptions& options) {
@@ -186,7 +202,7 @@ SearchOptions from(StudySource source, SearchOptions search) {
   return search;
 }
 
-/// A job array a study.
+/// One job array per study.
 int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
                    const std::vector<PlannedStudy>& planned, const SearchOptions& search,
                    const RunSeams& seams) {
@@ -272,31 +288,36 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit), {}};
   const auto planned = plan_studies(options, studies, cost);
   if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
-  if (options.dry_run) return print_intent(options, studies, planned, cost);
+  JobLabels labels(studies);
+  add_labels(labels, studies, planned);
+  if (options.dry_run) return print_intent(options, studies, planned, cost, labels);
 
   const ExecutorOptions executor = executor_options(options);
   const SignalGuard signals;
   WriterOptions writer_options;
   writer_options.store.git_revision = git_revision();
   CatalogWriter writer(options.results, writer_options);
-  const auto status = make_status(options, studies);
+  const auto status = make_status(options, labels);
+  std::map<std::string, SearchReport> searches;  // by name of the study
   RunReport report;
   int code = exit_ok;
   try {
     if (!planned.empty())
       report = run_studies(planned, options.retry_failed, writer, *status, seams.simulate,
                            seams.write_snapshot, signal_flag(), executor);
-    for (const auto& study : studies) {
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+      const Study& study = studies[i];
       if (!study.search || !options.only.empty() || report.left() > 0) continue;
-      const SearchReport search =
-          run_search(study, from(source_of(study, options.study), search_options), writer, *status,
-                     seams.simulate, seams.write_snapshot, signal_flag(), executor);
+      labels.set_current(i);
+      Rounds rounds(*status);
+      SearchReport search = run_search(study, from(source_of(study, options.study), search_options), writer,
+                                       rounds, seams.simulate, seams.write_snapshot, signal_flag(), executor);
+      rounds.close();
       report += search.run;
       code = std::max(code, search.exit_code());
-      if (search.run.left() == 0)
-        print_search(study, search);
-      else
+      if (search.run.left() > 0)
         fmt::print(stderr, "{}: the search is not at its end; run again to go on\n", study.name);
+      searches.emplace(study.name, std::move(search));
     }
   } catch (const CatalogError& error) {  // on the way, so there is work left
     fmt::print(stderr, "{}\nrun again to go on\n", error.what());
@@ -304,6 +325,8 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   }
   const bool whole = report.left() == 0 && options.only.empty();
   const bool good = !whole || finish_studies(studies, options, seams, writer);
+  if (whole) print_studies(studies, searches, options.results, options.quiet);
+  fmt::print("catalog: {}\n", catalog_path(options.results).string());
   code = std::max(code, report.exit_code());
   return code == exit_ok && !good ? exit_failed : code;
 }

@@ -306,7 +306,8 @@ int run_on_slurm(const RunOptions& options, const Study& study, const PlannedStu
   if (!jobs.empty()) return std::max(tended, submit_jobs(options, study, jobs, submissions));
   fmt::print("{}: {} done, {} failed, none left\n", study.name, registered.done, registered.failed);
   if (seams.finish_study) seams.finish_study(study, options.results, writer);
-  return registered.failed > 0 ? exit_failed : exit_ok;
+  // A shard that could not be taken over is told by the exit code, too; what Slurm still holds is of no use.
+  return registered.failed > 0 || tended == exit_failed ? exit_failed : exit_ok;
 }
 
 int search_on_slurm(const RunOptions& options, const Study& study, const SearchOptions& search,
@@ -341,7 +342,7 @@ int search_on_slurm(const RunOptions& options, const Study& study, const SearchO
   if (report.run.left() > 0) return code;
   print_search(study, report);
   if (seams.finish_study) seams.finish_study(study, options.results, writer);
-  return report.exit_code();
+  return tended == exit_failed ? std::max(exit_failed, report.exit_code()) : report.exit_code();
 }
 
 }  // namespace mpmstudy

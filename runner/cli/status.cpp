@@ -9,8 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "runner/catalog/reader.hpp"
-#include "runner/slurm/queue.hpp"
+#include "runner/catalog/query.hpp"
 #include "runner/status/label.hpp"
 
 namespace mpmstudy {
@@ -127,11 +126,27 @@ void print_text(const CatalogState& state, const std::vector<Submission>& submis
                counted(state.stale, "job"));
   if (!state.running.empty()) fmt::print("\nrunning\n");
   for (const auto& job : state.running)
-    fmt::print("  {}  {}  by {} since {}, attempt {}{}\n", short_key(job.key), name_of(job.study), job.by,
-               job.since, job.attempt, abandoned(job));
+    fmt::print("{}\n",
+               cut_text(fmt::format("  {}  {}  by {} since {}, attempt {}{}", short_key(job.key),
+                                    name_of(job.study), job.by, job.since, job.attempt, abandoned(job)),
+                        line_columns));
   if (!state.failed.empty()) fmt::print("\nfailed\n");
   for (const auto& job : state.failed)
-    fmt::print("  {}  {}  {}\n", short_key(job.key), name_of(job.study), job.reason);
+    fmt::print("{}\n", cut_text(fmt::format("  {}  {}  {}", short_key(job.key), name_of(job.study),
+                                            first_line(job.reason)),
+                                line_columns));
+}
+
+/// Accuracies that were not reached, searches without a bracket: `run` ends with 1 for them, too.
+bool any_missed(const std::string& results, const CatalogState& state) {
+  std::string sql = "SELECT study FROM accuracy WHERE reached = 0";
+  if (!query(results, "SELECT 1 FROM sqlite_master WHERE type = 'view' AND name = 'brackets'").rows.empty())
+    sql += " UNION SELECT study FROM brackets WHERE lower IS NULL OR upper IS NULL";
+  const auto rows = query(results, sql).rows;
+  return std::ranges::any_of(rows, [&](const auto& row) {
+    return std::ranges::any_of(
+        state.studies, [&](const StudyState& study) { return study.name == std::get<std::string>(row[0]); });
+  });
 }
 
 }  // namespace
@@ -152,15 +167,37 @@ std::vector<std::string> study_names(const std::vector<std::string>& names_or_fi
   return names;
 }
 
-int run_status(const StatusOptions& options) {
-  const auto state = read_state(options.results, study_names(options.studies));
-  const auto submissions = read_submissions(options.results);
-  if (options.json)
-    fmt::print("{}\n", to_json(state, submissions).dump(2, ' ', false, Json::error_handler_t::replace));
+int StudiesReport::exit_code() const {
+  // What the queue of a cluster does not tell may still be running.
+  if (std::ranges::any_of(submissions, [](const auto& s) { return !s.unknown.empty(); })) return exit_stopped;
+  bool failed = missed;
+  for (const auto& study : state.studies) {
+    if (count(study, JobStatus::planned) + count(study, JobStatus::running) > 0) return exit_stopped;
+    failed = failed || count(study, JobStatus::failed) > 0;
+  }
+  return failed ? exit_failed : exit_ok;
+}
+
+StudiesReport read_report(const StatusOptions& options) {
+  StudiesReport report;
+  report.state = read_state(options.results, study_names(options.studies));
+  report.submissions = read_submissions(options.results);
+  report.missed = any_missed(options.results, report.state);
+  return report;
+}
+
+void print_report(const StudiesReport& report, bool json) {
+  if (json)
+    fmt::print("{}\n",
+               to_json(report.state, report.submissions).dump(2, ' ', false, Json::error_handler_t::replace));
   else
-    print_text(state, submissions);
-  const bool known = std::ranges::all_of(submissions, [](const auto& s) { return s.unknown.empty(); });
-  return known ? exit_ok : exit_stopped;
+    print_text(report.state, report.submissions);
+}
+
+int run_status(const StatusOptions& options) {
+  const auto report = read_report(options);
+  print_report(report, options.json);
+  return report.exit_code();
 }
 
 }  // namespace mpmstudy

@@ -98,6 +98,11 @@ void setup_verify(CLI::App& app, RunSeams given) {
 int run_verify(const VerifyOptions& options, const RunSeams& seams) {
   const auto jobs = chosen(options);
   bool good = !options.files || check_files(options.results) == 0;
+  if (jobs.empty() && options.jobs > 0) {
+    fmt::print(stderr, "{}: no job is done that this program could run again (physics version {})\n",
+               options.results, mpm::physics_version);
+    return exit_failed;
+  }
   const ScratchFolder scratch(options.results);
   const SignalGuard signals;
   ExecutorOptions executor;

@@ -4,20 +4,18 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <thread>
 
-#include "runner/catalog/reader.hpp"
-
 namespace mpmstudy {
 namespace {
 
-bool work_left(const CatalogState& state) {
-  for (const auto& study : state.studies)
-    if (study.jobs.contains(JobStatus::planned) || study.jobs.contains(JobStatus::running)) return true;
-  return false;
+/// Whether work goes on, here, on another host or in the queue of a cluster.
+bool anybody(const StudiesReport& report) {
+  return report.state.processes > 0 || std::ranges::any_of(report.submissions, &Submission::may_be_queued);
 }
 
 }  // namespace
@@ -29,18 +27,30 @@ void setup_watch(CLI::App& app) {
   verb.add_option("--every", options->every_s, "Period [s]")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
+  verb.add_flag("--wait", options->wait, "Wait also while nobody runs what is planned");
   add_results_option(verb, options->status.results);
   verb.callback([options] { finish(run_watch(*options)); });
 }
 
 int run_watch(const WatchOptions& options) {
+  using Clock = std::chrono::steady_clock;
   const bool terminal = isatty(STDOUT_FILENO) != 0;
-  const auto names = study_names(options.status.studies);
+  const double patience = std::max(options.patience_s, 2 * options.every_s);
+  auto seen = Clock::now();  // when somebody was last there
   while (true) {
+    const auto report = read_report(options.status);
     if (terminal) fmt::print("\x1b[H\x1b[J");  // from the top of an empty screen
-    run_status(options.status);
+    print_report(report, false);
+    const int code = report.exit_code();
+    const bool alone = !anybody(report);
+    if (code != exit_stopped && alone) return code;
+    if (!alone) seen = Clock::now();
+    if (alone)
+      fmt::print("\nnobody runs these studies now; `mpmstudy run STUDY` goes on with them{}\n",
+                 options.wait ? "" : "; `mpmstudy watch --wait` waits for it");
     std::fflush(stdout);
-    if (!work_left(read_state(options.status.results, names))) return exit_ok;
+    if (alone && !options.wait && std::chrono::duration<double>(Clock::now() - seen).count() >= patience)
+      return code;
     std::this_thread::sleep_for(std::chrono::duration<double>(options.every_s));
     if (!terminal) fmt::print("\n");
   }

@@ -6,7 +6,6 @@
 #include <thread>
 #include <unordered_set>
 
-#include "runner/catalog/connection.hpp"
 #include "runner/ladder/climbs.hpp"
 
 namespace mpmstudy {
@@ -91,8 +90,7 @@ std::string stop_reason(const RunReport& report) {
   return "another run has changed the study";
 }
 
-RunEnd end_of(const RunReport& report, const ExecutorOptions& options, double predicted_factor,
-              std::chrono::steady_clock::time_point begin) {
+RunEnd end_of(const RunReport& report, double predicted_factor, std::chrono::steady_clock::time_point begin) {
   const ExecutorReport& executed = report.executed;
   RunEnd end;
   end.done = executed.done + executed.done_elsewhere;
@@ -104,7 +102,6 @@ RunEnd end_of(const RunReport& report, const ExecutorOptions& options, double pr
   end.predicted_s = executed.predicted_s;
   end.predicted_factor = predicted_factor;
   end.cpu_s = executed.cpu_s;
-  end.catalog = catalog_path(options.results).string();
   end.stop_reason = stop_reason(report);
   return end;
 }
@@ -132,6 +129,7 @@ RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, 
   RunStart start;
   auto jobs = register_all(studies, retry_failed, writer, report, start);
   writer.sweep_files();
+  if (studies.size() == 1) start.study = studies[0].plan.study;
   start.jobs = static_cast<std::int64_t>(jobs.size());
   start.reused = report.reused;
   start.left_failed = report.left_failed;
@@ -144,7 +142,7 @@ RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, 
     with_end.abandon = [&](const ExecutorReport& executed) {
       report.executed = sum_of(report.executed, executed);
       report.signal = flag.signal();
-      status.run_finished(end_of(report, options, start.predicted_factor, begin));
+      status.run_finished(end_of(report, start.predicted_factor, begin));
       options.abandon(executed);
     };
   const auto execute = [&](std::vector<Job> some) {
@@ -153,7 +151,7 @@ RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, 
   report.executed = execute(std::move(jobs));
   climb_ladders(studies, retry_failed, writer, status, report, execute, options.results);
   report.signal = flag.signal();
-  status.run_finished(end_of(report, options, start.predicted_factor, begin));
+  status.run_finished(end_of(report, start.predicted_factor, begin));
   return report;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "libmpm/scene/parameters.hpp"
@@ -24,6 +25,26 @@ std::string label_of(const mpm::Scene& scene, std::span<const std::string> swept
 }
 
 std::string short_key(const std::string& key) { return key.substr(0, shown_key_digits); }
+
+std::size_t columns_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string text_start(std::string_view text, std::size_t columns) {
+  std::size_t end = 0;
+  for (std::size_t seen = 0; end < text.size(); ++end)
+    if ((text[end] & 0xC0) != 0x80 && ++seen > columns) break;
+  return std::string(text.substr(0, end));
+}
+
+std::string cut_text(std::string_view text, std::size_t columns) {
+  constexpr std::string_view dots = "...";
+  if (columns_of(text) <= columns) return std::string(text);
+  if (columns <= dots.size()) return text_start(dots, columns);
+  return text_start(text, columns - dots.size()) + std::string(dots);
+}
+
+std::string first_line(std::string_view text) { return std::string(text.substr(0, text.find('\n'))); }
 
 std::string counted(std::int64_t number, const std::string& noun) {
   return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");

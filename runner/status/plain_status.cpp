@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <ostream>
@@ -20,6 +21,7 @@ class PlainStatus : public Status {
   void run_started(const RunStart& start) override {
     std::lock_guard lock(mutex_);
     jobs_ = start.jobs;
+    finished_ = 0;
     eta_ = Eta(start.predicted_seconds, start.workers);
     started_ = clock_();
     if (!options_.quiet) out_ << start_text(start) << std::flush;
@@ -35,8 +37,10 @@ class PlainStatus : public Status {
     std::lock_guard lock(mutex_);
     last_[job.key] = clock_();
     if (!options_.quiet)
-      out_ << fmt::format("{} started: {} particles, about {} steps, {}\n", short_key(job.key),
-                          job.estimate.particles, job.estimate.steps, label_of(job.scene, options_.swept))
+      out_ << cut_text(fmt::format("{} started: {} particles, about {} steps, {}", short_key(job.key),
+                                   job.estimate.particles, job.estimate.steps, label(job)),
+                       line_columns)
+           << "\n"
            << std::flush;
   }
 
@@ -63,7 +67,7 @@ class PlainStatus : public Status {
       ++finished_;
     }
     if (options_.quiet && end.status != JobStatus::failed) return;
-    out_ << end_line(finished_, jobs_, job, end, label_of(job.scene, options_.swept)) << "\n" << std::flush;
+    out_ << end_line(finished_, jobs_, job, end, label(job)) << "\n" << std::flush;
   }
 
   void run_finished(const RunEnd& end) override {
@@ -72,6 +76,10 @@ class PlainStatus : public Status {
   }
 
  private:
+  std::string label(const Job& job) const {
+    return options_.label ? options_.label(job) : label_of(job.scene, options_.swept);
+  }
+
   std::ostream& out_;
   PlainOptions options_;
   StatusClock clock_;
@@ -97,19 +105,27 @@ std::unique_ptr<Status> make_plain_status(std::ostream& out, PlainOptions option
 std::string end_line(std::int64_t number, std::int64_t of, const Job& job, const JobEnd& end,
                      const std::string& label) {
   std::string line = fmt::format("[{}/{}] {} ", number, of, short_key(job.key));
+  std::string how;
   if (end.status == JobStatus::planned)
-    line += "stopped, will be run again" + (end.reason.empty() ? "" : ": " + end.reason);
+    how = "stopped, will be run again" + (end.reason.empty() ? "" : ": " + first_line(end.reason));
   else if (end.status == JobStatus::failed)
-    line += "FAILED: " + end.reason;
+    how = "FAILED: " + first_line(end.reason);
   else
-    line += fmt::format("done in {} ({} particles, {} steps, {} updates)", readable_duration(end.wall_s),
-                        end.particles, end.steps, readable_rate(end.updates_per_second()));
-  return label.empty() ? line : line + "  " + label;
+    how = fmt::format("done in {} ({} particles, {} steps, {} updates)", readable_duration(end.wall_s),
+                      end.particles, end.steps, readable_rate(end.updates_per_second()));
+  // What sets the job apart keeps 40 columns beside a long reason.
+  constexpr std::size_t label_columns = 40;
+  // How fast it went is told where there is room for it.
+  if (end.status == JobStatus::done && columns_of(line + how + "  " + label) > line_columns)
+    how = "done in " + readable_duration(end.wall_s);
+  const std::size_t kept = label.empty() ? 0 : 2 + std::min(columns_of(label), label_columns);
+  line += cut_text(how, line_columns - std::min(columns_of(line) + kept, line_columns));
+  return cut_text(label.empty() ? line : line + "  " + label, line_columns);
 }
 
 std::string start_text(const RunStart& start) {
-  std::string text =
-      fmt::format("{} to run on {}", counted(start.jobs, "job"), counted(start.workers, "worker"));
+  std::string text = fmt::format("{}{} to run on {}", start.study.empty() ? "" : start.study + ": ",
+                                 counted(start.jobs, "job"), counted(start.workers, "worker"));
   if (start.predicted_seconds > 0)
     text += fmt::format(", about {} of one core",
                         readable_prediction(start.predicted_seconds, start.predicted_factor));
@@ -138,7 +154,7 @@ std::string end_text(const RunEnd& end) {
         fmt::format("predicted {} of one core, took {}\n",
                     readable_prediction(end.predicted_s, end.predicted_factor), readable_duration(end.cpu_s));
   if (!end.stop_reason.empty()) text += "stopped: " + end.stop_reason + "; run again to go on\n";
-  return text + "catalog: " + end.catalog + "\n";
+  return text;
 }
 
 }  // namespace mpmstudy

@@ -19,6 +19,7 @@ struct RunStart {
   unsigned workers = 1;
   std::int64_t damaged = 0;     ///< of jobs: were done, but files of theirs are missing or damaged
   double predicted_factor = 1;  ///< 19 times out of 20 it is no more, and no less, than so many times that
+  std::string study = {};       ///< its name, if there is one only
 };
 
 /// How one job ended: done, failed, or planned (again) if it was stopped.
@@ -37,8 +38,7 @@ struct JobEnd {
 struct RunEnd {
   std::int64_t done = 0, failed = 0, reused = 0, left = 0;
   double wall_s = 0;              ///< [s]
-  double updates_per_second = 0;  ///< particle updates a second and core
-  std::string catalog;            ///< path
+  double updates_per_second = 0;  ///< particle updates per second and core
   std::string stop_reason;        ///< "" if all was decided
   double predicted_s = 0;         ///< of the jobs that are done now, on one core [s]
   double predicted_factor = 1;    ///< as of RunStart

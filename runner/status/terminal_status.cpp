@@ -30,6 +30,7 @@ class TerminalStatus : public Status {
   void run_started(const RunStart& start) override {
     std::lock_guard lock(mutex_);
     jobs_ = start.jobs;
+    finished_ = 0;
     eta_ = Eta(start.predicted_seconds, start.workers);
     started_ = clock_();
     out_ << start_text(start) << std::flush;
@@ -43,7 +44,7 @@ class TerminalStatus : public Status {
 
   void job_started(const Job& job) override {
     std::lock_guard lock(mutex_);
-    running_.push_back({job.key, label_of(job.scene, options_.swept), {}});
+    running_.push_back({job.key, label(job), {}});
     redraw(false);
   }
 
@@ -65,7 +66,7 @@ class TerminalStatus : public Status {
       ++finished_;
     }
     wipe();
-    out_ << end_line(finished_, jobs_, job, end, label_of(job.scene, options_.swept)) << "\n";
+    out_ << end_line(finished_, jobs_, job, end, label(job)) << "\n";
     redraw(true);
   }
 
@@ -76,6 +77,10 @@ class TerminalStatus : public Status {
   }
 
  private:
+  std::string label(const Job& job) const {
+    return options_.label ? options_.label(job) : label_of(job.scene, options_.swept);
+  }
+
   struct Line {
     std::string key, label;
     mpm::Progress progress;
@@ -91,7 +96,7 @@ class TerminalStatus : public Status {
 
   /// No line may wrap, or the block would be higher than it was thought: cut to the width, less one.
   void line(const std::string& text, std::size_t width) {
-    out_ << text.substr(0, width > 1 ? width - 1 : 0) << "\n";
+    out_ << text_start(text, width > 1 ? width - 1 : 0) << "\n";
     ++drawn_;
   }
 

@@ -11,6 +11,7 @@
 #include "runner/study/schema.hpp"
 #include "runner/study/study.hpp"
 #include "runner/study/units.hpp"
+#include "runner/study/written_unit.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -98,6 +99,7 @@ class Reader {
       problems_.add("material", entry->value, unknown_word(*name, "material", names));
     } else {
       request_.material = mpm::named_material(*name);
+      study_.material_place = entry->value.place.text();
     }
   }
 
@@ -136,8 +138,14 @@ class Reader {
     if (scaled) scale_cells(*axis);
     if (!axis->swept && entry.place.line > 0) fixed_.push_back(entry.key);
     study_.given.push_back(entry.key);
+    if (axis->quantity) remember_unit(entry.key, entry.value);
     study_.places.push_back(entry.value.place.text() + (scaled ? ", times --cells" : ""));
     request_.axes.push_back(std::move(*axis));
+  }
+
+  void remember_unit(const std::string& name, const Value& value) {
+    if (auto unit = written_unit(value, mpm::find_quantity(name)->unit, units_))
+      study_.units[name] = std::move(*unit);
   }
 
   /// --cells: to 12 digits, as a file would say it.
@@ -158,6 +166,8 @@ class Reader {
     const Table* measure = table("measure");
     const Entry* entry = measure ? measure->find("snapshots") : nullptr;
     if (!entry) return;
+    study_.given.emplace_back("snapshots");
+    study_.places.push_back(entry->value.place.text());
     const List* list = entry->value.list();
     if (!list) {
       problems_.add("snapshots", entry->value, {"not a list", "allowed: times such as [\"1 ns\", \"2 ns\"]"});
@@ -225,6 +235,7 @@ class Reader {
                     {"is of single runs, and the study has a [search]",
                      "write ladder = 3 instead: a bracket on each of three cells, and the interval of the "
                      "critical value"});
+    if (const Entry* between = search.find("between")) remember_unit(name, between->value);
     request_.seeks_ejection = study_.search->outcome == "ejected" || study_.search->outcome == "arrested";
     Axis axis;
     axis.quantity = mpm::find_quantity(name);

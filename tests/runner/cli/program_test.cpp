@@ -188,9 +188,9 @@ TEST_F(Stops, a_killed_run_is_taken_up) {
   kill(child, SIGKILL);
   EXPECT_EQ(wait_for(child), 1000 + SIGKILL);
   EXPECT_GT(count("status = 'running'"), 0u);
-  ASSERT_EQ(run({"status", "--results", results}), 0);
+  ASSERT_EQ(run({"status", "--results", results}), 75);
   EXPECT_THAT(output, HasSubstr("its process has gone; `mpmstudy run` of its study takes the job up"));
-  ASSERT_EQ(run({"status", "--json", "--results", results}), 0);
+  ASSERT_EQ(run({"status", "--json", "--results", results}), 75);
   EXPECT_THAT(output, HasSubstr("\"gone\": \"its process has gone\""));
   const pid_t again = start_long_run("SELECT 1 FROM events WHERE reason LIKE 'process % is gone'");
   kill(again, SIGINT);

@@ -50,6 +50,18 @@ TEST_F(Verbs, explain_says_which_parameter_is_new_and_where_it_is_said) {
   EXPECT_THAT(output, ContainsRegex("impact_speed = 300 m/s .*kill.toml:8:"));
 }
 
+TEST_F(Verbs, explain_says_where_snapshots_and_materials_are_said) {
+  ASSERT_EQ(verb({"run", study, "-q", "--set", "snapshots=[\"0.5 ns\"]", "--set", "name=one"}), 0) << output;
+  const auto key = text("SELECT key FROM jobs WHERE study = 'one' LIMIT 1");
+  ASSERT_EQ(verb({"explain", key}), 0) << output;
+  EXPECT_THAT(output, ContainsRegex("  snapshots = 1 time \\(there 2 times\\)  --set\n"));
+  // What no key says is the named material's.
+  write(
+      "UPDATE job SET specific_heat_J_kg_K = 1 WHERE key NOT IN (SELECT key FROM jobs WHERE study = 'one')");
+  ASSERT_EQ(verb({"explain", key}), 0) << output;
+  EXPECT_THAT(output, ContainsRegex("  specific_heat = .*kill.toml:7:[0-9]+, of the material\n"));
+}
+
 TEST_F(Verbs, explain_knows_what_scaled_the_cells) {
   ASSERT_EQ(verb({"run", study, "-q", "--cells", "1.5", "--set", "name=coarse"}), 0) << output;
   EXPECT_EQ(

@@ -6,6 +6,7 @@
 #include "runner/status/eta.hpp"
 #include "runner/status/label.hpp"
 #include "runner/status/plain_status.hpp"
+#include "runner/status/rounds.hpp"
 #include "runner/status/terminal_status.hpp"
 #include "tests/runner/fakes.hpp"
 
@@ -59,7 +60,7 @@ TEST(PlainStatusTest, a_line_for_each_start_and_end) {
   status->job_progress(job, at(0.6));
   status->job_finished(job, {JobStatus::done, "", 1000, 500, 3.2, 0.1});
   status->job_finished(fakes::job(2), {JobStatus::failed, "step 3: broke", 0, 0, 1, 1});
-  status->run_finished({1, 1, 3, 0, 32, 5e6, "results/catalog.db", ""});
+  status->run_finished({1, 1, 3, 0, 32, 5e6, ""});
   EXPECT_THAT(out.str(), HasSubstr("2 jobs to run on 2 workers"));
   EXPECT_THAT(out.str(), HasSubstr("3 jobs done already"));
   EXPECT_THAT(out.str(), HasSubstr("started: 1001 particles"));
@@ -70,7 +71,6 @@ TEST(PlainStatusTest, a_line_for_each_start_and_end) {
               HasSubstr("[1/2] 000000000000 done in 3.2 s (1000 particles, 500 steps, 5.00 M/s updates)"));
   EXPECT_THAT(out.str(), HasSubstr("FAILED: step 3: broke"));
   EXPECT_THAT(out.str(), HasSubstr("1 done, 1 failed, 3 reused, 0 left"));
-  EXPECT_THAT(out.str(), HasSubstr("results/catalog.db"));
   EXPECT_THAT(out.str(), Not(HasSubstr("\x1b")));
 }
 
@@ -106,6 +106,93 @@ TEST(PlainStatusTest, quiet_says_failures_and_the_summary) {
   EXPECT_EQ(out.str(), "");
   status->job_finished(fakes::job(2), {JobStatus::failed, "broke", 0, 0, 1, 1});
   EXPECT_THAT(out.str(), HasSubstr("broke"));
+}
+
+TEST(PlainStatusTest, a_second_run_counts_from_one) {
+  std::ostringstream plain, terminal;
+  const auto clock = [] { return 0.0; };
+  TerminalOptions options;
+  options.width = [] { return std::size_t{200}; };
+  const std::pair<std::ostringstream*, std::unique_ptr<Status>> both[] = {
+      {&plain, make_plain_status(plain, {}, clock)},
+      {&terminal, make_terminal_status(terminal, options, clock)}};
+  for (const auto& [out, status] : both) {
+    for (int run = 0; run < 2; ++run) {
+      status->run_started({2, 0, 0, 0, 12, 1});
+      for (int n = 1; n <= 2; ++n) status->job_finished(fakes::job(n), {});
+      status->run_finished({});
+    }
+    EXPECT_THAT(out->str(), HasSubstr("[2/2]"));
+    EXPECT_THAT(out->str(), Not(HasSubstr("[3/2]")));
+    EXPECT_THAT(out->str(), Not(HasSubstr("3/2 jobs")));
+  }
+}
+
+TEST(PlainStatusTest, no_line_is_longer_than_120_columns_nor_than_one_line) {
+  JobEnd end;
+  end.status = JobStatus::failed;
+  end.reason = std::string(300, 'r') + "\nsecond";
+  const std::string label = "cavity_radius = 1 um, " + std::string(300, 'l');
+  for (const auto status : {JobStatus::failed, JobStatus::planned, JobStatus::done}) {
+    end.status = status;
+    const auto line = end_line(1, 2, fakes::job(1), end, label);
+    EXPECT_EQ(columns_of(line), line_columns);
+    EXPECT_THAT(line, HasSubstr("cavity_radius = 1 um, "));
+    EXPECT_THAT(line, Not(HasSubstr("\n")));
+  }
+  // Short ones are whole.
+  end.status = JobStatus::failed;
+  end.reason = "broke";
+  EXPECT_THAT(end_line(1, 2, fakes::job(1), end, "a = 1"), testing::EndsWith(" FAILED: broke  a = 1"));
+}
+
+TEST(CutText, counts_code_points) {
+  EXPECT_EQ(cut_text("µµµµµ", 5), "µµµµµ");
+  EXPECT_EQ(cut_text("µµµµµµ", 5), "µµ...");
+  EXPECT_EQ(cut_text("abc", 2), "..");
+  EXPECT_EQ(first_line("a\nb"), "a");
+}
+
+TEST(RoundsTest, are_told_as_one_run) {
+  std::ostringstream out;
+  const auto plain = make_plain_status(out, {}, [] { return 0.0; });
+  Rounds rounds(*plain);
+  RunStart start;
+  start.study = "s";
+  RunEnd end;
+  // Two jobs were done before; each round registers all jobs so far.
+  start.jobs = 3, start.reused = 2;
+  rounds.run_started(start);
+  for (int n = 1; n <= 3; ++n) rounds.job_finished(fakes::job(n), {});
+  end.done = 2, end.failed = 1, end.reused = 2, end.wall_s = 10, end.cpu_s = 10, end.updates_per_second = 4e6;
+  rounds.run_finished(end);
+  start.jobs = 2, start.reused = 4, start.left_failed = 1;
+  rounds.run_started(start);
+  for (int n = 4; n <= 5; ++n) rounds.job_finished(fakes::job(n), {});
+  end.done = 2, end.failed = 1, end.reused = 4, end.cpu_s = 30, end.updates_per_second = 2e6;
+  rounds.run_finished(end);
+  EXPECT_THAT(out.str(), HasSubstr("s: 3 jobs to run"));
+  EXPECT_THAT(out.str(), HasSubstr("[3/3]"));
+  EXPECT_THAT(out.str(), HasSubstr("[5/5]"));
+  EXPECT_THAT(out.str(), Not(HasSubstr(" left in ")));
+  rounds.close();
+  rounds.close();
+  EXPECT_THAT(out.str(), testing::EndsWith(
+                             "4 done, 1 failed, 2 reused, 0 left in 20 s; 2.50 M/s particle updates on each "
+                             "core\n"));
+}
+
+TEST(RoundsTest, a_round_that_is_stopped_ends_the_run) {
+  std::ostringstream out;
+  const auto plain = make_plain_status(out, {}, [] { return 0.0; });
+  Rounds rounds(*plain);
+  rounds.run_started({2, 0, 0, 0, 12, 1});
+  RunEnd end;
+  end.done = 1, end.left = 1, end.stop_reason = "interrupted";
+  rounds.run_finished(end);
+  rounds.close();
+  EXPECT_THAT(out.str(), HasSubstr("1 done, 0 failed, 0 reused, 1 left"));
+  EXPECT_THAT(out.str(), testing::EndsWith("stopped: interrupted; run again to go on\n"));
 }
 
 TEST(TerminalStatusTest, redraws_seldom_and_never_wraps) {

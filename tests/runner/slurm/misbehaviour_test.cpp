@@ -294,6 +294,19 @@ TEST_F(FakeSlurm, loses_the_merge) {
   EXPECT_THAT(output, Not(HasSubstr("in the queue")));
 }
 
+// All is decided, but what an element made cannot be read: that is no success.
+TEST_F(FakeSlurm, leaves_a_shard_that_cannot_be_taken_over) {
+  ASSERT_EQ(submit(), 0) << output;
+  ASSERT_EQ(run({"run", smoke, "--results", results}), 0) << output;
+  const auto shard = folders().at(0) / "shard-0";
+  fs::create_directories(shard);
+  std::ofstream(shard / "catalog.db") << "this is no database\n";
+  fs::remove(slurm / "jobs");
+  EXPECT_EQ(submit(), 1) << output;
+  EXPECT_THAT(output, HasSubstr("2 done, 0 failed, none left"));
+  EXPECT_THAT(output, HasSubstr(shard.string()));
+}
+
 TEST_F(FakeSlurm, is_given_no_option_that_breaks_the_scripts) {
   for (const std::string option :
        {"--array=0-3", "--wait", "-W", "--job-name=mine", "partition=long", "--a=\nb"}) {

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "runner/plan/plan.hpp"
+#include "runner/study/study.hpp"
+
+namespace mpmstudy {
+
+/// What sets a job apart within its study, for the lines of a run of several: the names that its own study
+/// sweeps, the searched one, and the cell where there is a ladder of them.
+class JobLabels {
+ public:
+  explicit JobLabels(const std::vector<Study>&);
+
+  /// Jobs of a plan belong to the study at this place of the list; the first one that asks for a job has it.
+  void add(const std::vector<Job>&, std::size_t study);
+  /// The study of all jobs that add() was not told of: the search whose rounds run.
+  void set_current(std::size_t study) { current_ = study; }
+
+  std::string operator()(const Job&) const;
+
+ private:
+  std::vector<std::vector<std::string>> names_;  ///< of each study
+  std::unordered_map<std::string, std::size_t> study_of_;
+  std::size_t current_ = 0;
+};
+
+}  // namespace mpmstudy

@@ -1,0 +1,294 @@
+#include "runner/cli/print_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "analysis/plot.hpp"
+#include "analysis/units.hpp"
+#include "libmpm/scene/parameters.hpp"
+#include "runner/catalog/query.hpp"
+#include "runner/cli/text_table.hpp"
+#include "runner/finish/fits.hpp"
+#include "runner/finish/study_results.hpp"
+#include "runner/status/label.hpp"
+
+namespace mpmstudy {
+namespace {
+
+constexpr std::int64_t most_rows = 30;  ///< of a table; of more, so many from the start and from the end:
+constexpr std::int64_t first_rows = 25, last_rows = 5;
+constexpr std::size_t most_results = 3;  ///< columns of results
+constexpr std::int64_t most_failures = 10;
+constexpr int error_digits = 3;
+
+/// A column of the view `jobs`, or a metric.
+struct Result {
+  std::string name;
+  std::string value, error;  ///< as SQL over `jobs j`
+};
+
+Result result_named(const std::string& name, const std::vector<std::string>& columns_of_jobs) {
+  if (name == "collapsibility") return {name, "j.collapsibility", "j.collapsibility_error"};
+  if (name == "final_area_m2") return {name, "j.final_area_m2", "j.final_area_error_m2"};
+  if (std::ranges::find(columns_of_jobs, name) != columns_of_jobs.end()) return {name, "j." + name, "NULL"};
+  const auto of_metric = [&](const char* what) {
+    return fmt::format("(SELECT m.{} FROM metrics m WHERE m.key = j.key AND m.name = '{}')", what, name);
+  };
+  return {name, of_metric("value"), of_metric("error")};
+}
+
+/// The headline of the scene, then what the study fits and draws.
+std::vector<Result> results_of_interest(const Study& study, const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && names.size() < most_results && std::ranges::find(names, name) == names.end())
+      names.push_back(name);
+  };
+  add(study.ladder.quantity);
+  for (const auto& fit : study.fits) add(fit.y);
+  for (const auto& figure : study.figures)
+    if (figure.kind == "xy") add(figure.y);
+  const auto columns = query(folder, "SELECT * FROM jobs LIMIT 0").names;
+  std::vector<Result> results;
+  for (const auto& name : names) results.push_back(result_named(name, columns));
+  return results;
+}
+
+std::string column_of_jobs(const std::string& parameter) {
+  if (const auto* quantity = mpm::find_quantity(parameter)) return std::string(quantity->column);
+  return std::string(mpm::find_choice(parameter)->column);
+}
+
+std::string text_of(const SqlValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text ? *text : "";
+}
+
+std::optional<double> number_of(const SqlValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
+/// What the table's rows are asked by: key, status, outcome, then parameters, then value and error of each
+/// result.
+std::string select(const Study& study, const std::vector<Result>& results) {
+  std::string sql = "SELECT j.key, j.status, j.outcome";
+  for (const auto& name : study.swept) sql += ", j.\"" + column_of_jobs(name) + "\"";
+  for (const auto& result : results) sql += ", " + result.value + ", " + result.error;
+  return sql + " FROM jobs j WHERE j.study = ?1 ORDER BY j.position, j.key";
+}
+
+/// The same for people: names in place of SQL.
+std::string readable_query(const Study& study, const std::vector<Result>& results,
+                           const std::filesystem::path& folder) {
+  std::string columns = "key, status, outcome";
+  for (const auto& name : study.swept) columns += ", " + column_of_jobs(name);
+  for (const auto& result : results) {
+    const bool of_jobs = result.value.starts_with("j.");
+    if (!of_jobs) continue;
+    columns += ", " + result.name;
+    if (result.error != "NULL") columns += ", " + result.error.substr(2);
+  }
+  return fmt::format("mpmstudy query{} \"SELECT {} FROM jobs WHERE study = '{}' ORDER BY position\"",
+                     results_option(folder), columns, study.name);
+}
+
+/// Numbers of one column in the unit that the study's file writes, else in one that keeps them short.
+void fill(TextColumn& column, const std::vector<std::optional<double>>& values, const Study& study,
+          const std::string& parameter, std::string_view si_unit) {
+  double factor = 1, offset = 0;
+  const auto written = study.units.find(parameter);
+  if (written != study.units.end()) {
+    factor = 1 / written->second.slope;
+    offset = written->second.offset;
+    column.unit = written->second.text;
+  } else {
+    double largest = 0;
+    for (const auto& value : values)
+      if (value && std::isfinite(*value)) largest = std::max(largest, std::abs(*value));
+    const auto unit = analysis::display_unit(si_unit, largest);
+    factor = unit.factor;
+    column.unit = unit.text == "1" ? "" : unit.text;
+  }
+  std::vector<double> shown;
+  for (const auto& value : values)
+    if (value) shown.push_back((*value - offset) * factor);
+  const auto texts = distinct_texts(shown);
+  std::size_t next = 0;
+  for (const auto& value : values) column.cells.push_back(value ? texts[next++] : "-");
+}
+
+/// The half widths beside a column of values, in its unit.
+TextColumn errors_beside(const std::vector<std::optional<double>>& values,
+                         const std::vector<std::optional<double>>& errors, std::string_view si_unit) {
+  double largest = 0;
+  for (const auto& value : values)
+    if (value && std::isfinite(*value)) largest = std::max(largest, std::abs(*value));
+  const double factor = analysis::display_unit(si_unit, largest).factor;
+  TextColumn column{"+-", "", {}, false};
+  for (const auto& error : errors)
+    column.cells.push_back(error ? fmt::format("{:.{}g}", *error * factor, error_digits) : "-");
+  return column;
+}
+
+std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<Result>& results,
+                                        const StudyResults& folder,
+                                        const std::vector<std::vector<SqlValue>>& rows) {
+  TextColumn keys{"job", "", {}, true}, outcomes{"outcome", "", {}, true};
+  for (const auto& row : rows) {
+    keys.cells.push_back(short_key(text_of(row[0])));
+    const std::string status = text_of(row[1]), outcome = text_of(row[2]);
+    outcomes.cells.push_back(status != "done" ? status : outcome.empty() ? "-" : outcome);
+  }
+  std::vector<TextColumn> columns = {std::move(keys)};
+  std::size_t at = 3;
+  const auto numbers = [&](std::size_t column) {
+    std::vector<std::optional<double>> values;
+    for (const auto& row : rows) values.push_back(number_of(row[column]));
+    return values;
+  };
+  for (const auto& name : study.swept) {
+    TextColumn column{name, "", {}, false};
+    if (const auto* quantity = mpm::find_quantity(name)) {
+      fill(column, numbers(at), study, name, quantity->unit);
+    } else {
+      column.left = true;
+      for (const auto& row : rows) column.cells.push_back(text_of(row[at]));
+    }
+    ++at;
+    columns.push_back(std::move(column));
+  }
+  for (const auto& result : results) {
+    const auto values = numbers(at), errors = numbers(at + 1);
+    at += 2;
+    const std::string unit = unit_of(folder, result.name);
+    TextColumn column{result.name, "", {}, false};
+    fill(column, values, study, "", unit);
+    columns.push_back(std::move(column));
+    if (std::ranges::any_of(errors, [](const auto& error) { return error.has_value(); }))
+      columns.push_back(errors_beside(values, errors, unit));
+  }
+  columns.push_back(std::move(outcomes));
+  return columns;
+}
+
+/// Swept columns go, the last first, until a line fits; their names.
+std::string make_narrow(std::vector<TextColumn>& columns, std::size_t swept) {
+  std::string gone;
+  while (swept > 1 && table_columns(columns) > line_columns) {
+    const auto last = columns.begin() + static_cast<std::ptrdiff_t>(swept);
+    gone = last->name + (gone.empty() ? "" : ", " + gone);
+    columns.erase(last);
+    --swept;
+  }
+  return gone;
+}
+
+/// The first line of the reason of each failed job.
+std::string failures_text(const Study& study, const std::filesystem::path& results) {
+  const SqlValue name = study.name;
+  const auto parameters = std::span(&name, 1);
+  const auto rows =
+      query(results,
+            fmt::format("SELECT key, coalesce(failure_kind, 'error'), coalesce(reason, '') FROM "
+                        "jobs WHERE study = ?1 AND status = 'failed' ORDER BY position, key "
+                        "LIMIT {}",
+                        most_failures),
+            parameters)
+          .rows;
+  if (rows.empty()) return "";
+  std::string text;
+  for (const auto& row : rows)
+    text += cut_text(fmt::format("  failed  {}  {}: {}", short_key(text_of(row[0])), text_of(row[1]),
+                                 first_line(text_of(row[2]))),
+                     line_columns) +
+            "\n";
+  const auto all = std::get<std::int64_t>(
+      query(results, "SELECT count(*) FROM jobs WHERE study = ?1 AND status = 'failed'", parameters)
+          .rows.at(0)
+          .at(0));
+  if (all > most_failures)
+    text += fmt::format(
+        "  ... {} more failed; all: mpmstudy query{} \"SELECT key, reason FROM jobs WHERE "
+        "study = '{}' AND status = 'failed'\"\n",
+        all - most_failures, results_option(results), study.name);
+  return text + fmt::format(
+                    "  `mpmstudy explain{} KEY` has the whole reason; `mpmstudy run --retry-failed` "
+                    "runs failed jobs again\n",
+                    results_option(results));
+}
+
+double largest_of(const std::vector<double>& numbers) {
+  double largest = 0;
+  for (const double number : numbers) largest = std::max(largest, std::abs(number));
+  return largest;
+}
+
+}  // namespace
+
+std::string results_option(const std::filesystem::path& results) {
+  return results == "results" ? "" : " --results '" + results.string() + "'";
+}
+
+std::string results_text(const Study& study, const std::filesystem::path& results) {
+  const StudyResults folder{study.name, results, {}, 0, {}};
+  const auto of_interest = results_of_interest(study, results);
+  const SqlValue name = study.name;
+  const auto parameters = std::span(&name, 1);
+  const auto count = std::get<std::int64_t>(
+      query(results, "SELECT count(*) FROM jobs WHERE study = ?1", parameters).rows.at(0).at(0));
+  const std::string sql = select(study, of_interest);
+  auto rows =
+      query(results, fmt::format("{} LIMIT {}", sql, count > most_rows ? first_rows : most_rows), parameters)
+          .rows;
+  if (count > most_rows) {
+    auto last =
+        query(results, fmt::format("{} LIMIT {} OFFSET {}", sql, last_rows, count - last_rows), parameters)
+            .rows;
+    std::ranges::move(last, std::back_inserter(rows));
+  }
+  auto columns = columns_of_rows(study, of_interest, folder, rows);
+  const std::string gone = make_narrow(columns, study.swept.size());
+  std::string table = text_table(columns);
+  if (count > most_rows) {
+    std::size_t end = table.size();
+    for (std::int64_t line = 0; line <= last_rows; ++line) end = table.rfind('\n', end - 1);
+    table.insert(end + 1, fmt::format("  ... {} more\n", count - first_rows - last_rows));
+  }
+  std::string text = fmt::format("\n{}: {}\n", study.name, study.title) + table;
+  if (!gone.empty()) text += cut_text("  not shown: " + gone, line_columns) + "\n";
+  if (count > most_rows || !gone.empty())
+    text += "  all: " + readable_query(study, of_interest, results) + "\n";
+  return text + failures_text(study, results) + fits_text(study, results);
+}
+
+std::string fits_text(const Study& study, const std::filesystem::path& results) {
+  if (study.fits.empty()) return "";
+  const StudyResults read = read_results(study, results);
+  std::string text;
+  for (const FitRequest& request : study.fits) {
+    const auto x = analysis::named_quantity(request.x, mpm::find_quantity(request.x)->unit);
+    const auto y = analysis::named_quantity(request.y, unit_of(read, request.y));
+    for (const Group& group : group_jobs(study, read, curve_of(study, request.x, request.y))) {
+      const Column c = column_of(read, group, request.x, request.y);
+      if (c.x.empty() && study.search) continue;  // extrapolated values stand on the finest cell alone
+      const analysis::Fit fit = fit_column(request, c);
+      const std::string what = fmt::format("{} of {} against {}{}", request.model, request.y, request.x,
+                                           group.label.empty() ? "" : ", " + group.label);
+      if (fit.ok())
+        text += fmt::format("  {}: {}\n", what,
+                            analysis::fit_caption(fit, x, analysis::display_unit(x.unit, largest_of(c.x)), y,
+                                                  analysis::display_unit(y.unit, largest_of(c.y))));
+      else
+        text += fmt::format("  {}: no fit, {}\n", what, fit.problem);
+    }
+  }
+  return text;
+}
+
+}  // namespace mpmstudy
