@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # From a clean clone to every figure of the paper and its claims, judged: installs what is missing, builds, runs all
 # studies, writes results/report.html. Running it again goes on where it was.
+# Ends with 0 if every study is whole and its figures are drawn, 1 if jobs failed or points of a search were not
+# found, 75 if work is left.
 #   ./reproduce.sh           coarse cells (0.14 um; Figs. 1 and 4 0.2 um)
 #   ./reproduce.sh --full    fine cells (0.05 um; Figs. 1 and 4 0.07 um)
 # Other options go to `mpmstudy run`: -j N (jobs at a time), --results DIR.
@@ -30,4 +32,4 @@ build/release/runner/mpmstudy run "${files[@]}" --cells "$cells" --audit "$audit
   [ $code -eq 1 ] || exit $code  # 1: some jobs failed; the page shows which
 }
 say "claims"
-exec build/release/runner/mpmstudy report "${files[@]}" --cells "$cells" "${results[@]}"
+exec build/release/runner/mpmstudy report "${files[@]}" "${results[@]}"  # as they have just been run

@@ -32,7 +32,7 @@ ask areas "SELECT j.study, j.position, j.cell_size_m, j.initial_area_m2, d.value
   j.study NOT LIKE 'critical-speed%' ORDER BY j.study, j.position"
 for figure in fig1-grey fig2 fig2-grey fig3-grey fig4 fig4-spall fig5 fig5-grey fig6-grey fig7-1-grey fig7-6-grey \
   fig7-aspect fig8a fig8b fig8c fig8d block-height; do
-  cp "$results/figures/$figure.png" "$into/"
+  cp "$results"/figures/*/"$figure.png" "$into/"  # a name is that of one study here
 done
 if [ -z "$quick" ]; then
   echo "collapsibility-quick.csv stays as it was: the folder of a quick run was not given" >&2

@@ -62,6 +62,11 @@ struct FitRow {
   std::string unit;  ///< of value
   /// With c0, c1, ... [unit of the product]; empty where standard errors are unknown.
   std::vector<double> covariance{};
+  /// Weighted sum of squares of the residuals per degree of freedom: above 1 the points scatter more than
+  /// their intervals say. Empty: all weigh the same, or none to spare.
+  std::optional<double> reduced_chi2{};
+  std::int64_t points = 0;    ///< that the fit goes through
+  std::string family = "{}";  ///< JSON object: column of jobs -> value of what else the study sweeps
 };
 
 /// The interval of one number of one job; a row of the view `accuracy`. Half widths, in `unit`.

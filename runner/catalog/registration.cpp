@@ -104,8 +104,22 @@ std::vector<std::pair<std::string, Store::Impl::Row>> members_of(SQLite::Databas
   return members;
 }
 
+/// Fits, intervals and brackets of other --set or --cells are not those of the study as it is now.
+void forget_another_form(SQLite::Database& db, const std::string& name, const StudySource& source) {
+  for (const char* table : {"fit", "interval", "bracket"}) {
+    SQLite::Statement forget(db, std::string("DELETE FROM ") + table +
+                                     " WHERE study_id = (SELECT id FROM study WHERE name = ?1 AND (overrides "
+                                     "IS NOT ?2 OR cells <> ?3))");
+    forget.bind(1, name);
+    forget.bind(2, nlohmann::json(source.set).dump());
+    forget.bind(3, source.cells);
+    forget.exec();
+  }
+}
+
 std::int64_t enter_study(SQLite::Database& db, const std::string& name, const std::string& title,
                          const StudySource& source) {
+  forget_another_form(db, name, source);
   SQLite::Statement upsert(
       db,
       "INSERT INTO study (name, title, updated_at, path, overrides, cells) VALUES (?, ?, ?, ?, ?, ?) "

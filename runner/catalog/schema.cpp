@@ -237,6 +237,9 @@ INSERT INTO bracket SELECT study_id, position, 'impact_speed', 'm/s', lower_m_s,
   wall_thickness_m
 FROM critical_speed_bracket;
 DROP TABLE critical_speed_bracket;
+ALTER TABLE fit ADD COLUMN reduced_chi2 REAL;  -- weighted squares of the residuals per degree of freedom; null: no weights
+ALTER TABLE fit ADD COLUMN points INTEGER;     -- through how many it goes
+ALTER TABLE fit ADD COLUMN family TEXT NOT NULL DEFAULT '{}';  -- JSON object: column of jobs -> value of what else is swept
 )sql";
 
 constexpr std::string_view jobs_before = R"sql(
@@ -265,7 +268,15 @@ constexpr std::string_view jobs_after = R"sql(
   j.started_at AS started_at, j.finished_at AS finished_at, j.predicted_s AS predicted_s,
   CAST(j.particles AS REAL) * j.steps / nullif(j.cpu_s, 0) AS particle_updates_per_s,
   j.failure_kind AS failure_kind, j.crashes AS crashes,
-  j.physics_version < (SELECT version FROM physics) AS stale
+  j.physics_version < (SELECT version FROM physics) AS stale,
+  CASE WHEN j.final_area_m2 IS NULL THEN NULL
+    WHEN EXISTS (SELECT 1 FROM metric c WHERE c.job_id = j.id AND c.name = 'cavity_joined_outside_time_s')
+      THEN 'cavity open to the outside: its final area has no meaning'
+    WHEN EXISTS (SELECT 1 FROM metric c WHERE c.job_id = j.id AND c.name = 'cavity_closed_time_s')
+      AND (SELECT c.value FROM metric c WHERE c.job_id = j.id AND c.name = 'final_void_area_m2') > 0
+      THEN 'cavity closed, then torn open: its final area has no meaning'
+    WHEN j.collapsibility < 0 THEN 'cavity larger than at the start: its final area has no meaning'
+    ELSE '' END AS flags
 FROM job j
 LEFT JOIN study_job m ON m.job_id = j.id AND m.coarse = 0
 LEFT JOIN study s ON s.id = m.study_id;
@@ -302,7 +313,8 @@ CREATE VIEW claims AS SELECT name, sentence, verdict, measured, note, study FROM
 DROP VIEW IF EXISTS fits;
 CREATE VIEW fits AS SELECT s.name AS study, f.quantity AS quantity, f.model AS model,
   f.coefficient AS coefficient, f.value AS value, f.standard_error AS standard_error, f.r2 AS r2,
-  f.unit AS unit, f.against AS against, f.covariance AS covariance
+  f.unit AS unit, f.against AS against, f.covariance AS covariance, f.reduced_chi2 AS reduced_chi2,
+  f.points AS points, f.family AS family
 FROM study s JOIN fit f ON f.study_id = s.id;
 
 DROP VIEW IF EXISTS brackets;
@@ -369,7 +381,13 @@ std::vector<ParameterColumn> parameter_columns() {
 }  // namespace
 
 CatalogSchema current_catalog_schema() {
-  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}, {5, version_5}, {6, version_6}, {7, version_7}},
+  return {{{1, version_1},
+           {2, version_2},
+           {3, version_3},
+           {4, version_4},
+           {5, version_5},
+           {6, version_6},
+           {7, version_7}},
           parameter_columns()};
 }
 

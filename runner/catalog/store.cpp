@@ -94,12 +94,14 @@ void Store::replace_fits(const std::string& study, const std::vector<FitRow>& fi
   SQLite::Statement insert(
       *impl_->db,
       "INSERT INTO fit (study_id, position, quantity, against, model, coefficient, value, "
-      "standard_error, r2, unit, covariance) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "standard_error, r2, unit, covariance, reduced_chi2, points, family) VALUES (?, ?, ?, ?, ?, ?, ?, ?, "
+      "?, ?, ?, ?, ?, ?)");
   std::int64_t position = 0;
   for (const auto& f : fits)
     execute(insert, id, position++, f.quantity, f.against, f.model, f.coefficient, f.value, f.standard_error,
             f.r2, f.unit,
-            f.covariance.empty() ? std::nullopt : std::optional(nlohmann::json(f.covariance).dump()));
+            f.covariance.empty() ? std::nullopt : std::optional(nlohmann::json(f.covariance).dump()),
+            f.reduced_chi2, f.points, f.family);
 }
 
 void Store::replace_brackets(const std::string& study, const std::vector<BracketRow>& rows) {

@@ -12,7 +12,8 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
       ->allow_extra_args(false);
   verb.add_option("--cells", options.cells, "Every cell_size of the files times this: --cells 0.5 is finer")
       ->type_name("FACTOR")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->each([&options](const std::string&) { options.cells_told = true; });
   verb.add_flag("--yes", options.yes, "Allow a study of more than a million jobs");
 }
 

@@ -24,6 +24,7 @@ struct StudyOptions {
   std::vector<std::string> set;
   double cells = 1;
   bool yes = false;
+  bool cells_told = false;  ///< --cells stands on the command line, if only as 1
 };
 void add_study_options(CLI::App& verb, StudyOptions&);
 

@@ -15,6 +15,7 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/stored_jobs.hpp"
+#include "runner/cli/last_run.hpp"
 #include "runner/exec/run_search.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
@@ -111,7 +112,8 @@ std::optional<Wanted> find_job(Study study, const std::string& key) {
 /// The job in the study files: those named, or those that the catalog remembers.
 std::optional<Wanted> find_in_files(const ExplainOptions& options, const std::string& key) {
   std::vector<std::pair<std::string, StudyOptions>> files;
-  for (const auto& file : options.files) files.emplace_back(file, options.study);
+  for (const auto& file : options.files)
+    files.emplace_back(file, last_form(file, options.study, options.results).options);
   if (files.empty() && fs::exists(catalog_path(options.results)))
     for (auto& study : read_studies(options.results))
       if (fs::exists(study.source.path))

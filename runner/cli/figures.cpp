@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
+#include "runner/cli/last_run.hpp"
+#include "runner/cli/missing.hpp"
 #include "runner/finish/figures.hpp"
 #include "runner/slurm/shell_word.hpp"
 
@@ -13,24 +16,24 @@ namespace mpmstudy {
 void setup_figures(CLI::App& app) {
   const auto options = std::make_shared<FiguresOptions>();
   CLI::App& verb = *app.add_subcommand("figures", "Draw the figures of studies from the catalog");
-  verb.add_option("STUDY", options->files, "Study files")->required();
+  verb.add_option("STUDY", options->files, "Study files [every study of the catalog]");
   add_study_options(verb, options->study);
   add_results_option(verb, options->results);
   verb.callback([options] { finish(run_figures(*options)); });
 }
 
 int run_figures(const FiguresOptions& options) {
-  bool complete = true;
-  for (const std::string& file : options.files) {
-    const Study study = read_study(file, options.study);
+  bool all_there = true;
+  int code = exit_ok;
+  for (const StudyForm& form : forms_of(options.files, options.study, options.results, all_there)) {
+    const Study study = read_study(form.path, form.options);
     const StudyResults results = read_results(study, options.results);
     for (const auto& path : draw_figures(study, results)) fmt::print("{}\n", path.string());
-    if (results.missing == 0) continue;
-    complete = false;
-    fmt::print(stderr, "{}: {} of {} jobs are not done; `mpmstudy run {}` runs them\n", study.name,
-               results.missing, study.scenes.size(), shell_word(file));
+    code = std::max(
+        code,
+        say_what_is_missing(study, results, form.path + options_text(form.options.set, form.options.cells)));
   }
-  return complete ? exit_ok : exit_stopped;
+  return all_there ? code : std::max(code, exit_failed);
 }
 
 }  // namespace mpmstudy

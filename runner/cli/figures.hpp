@@ -1,5 +1,6 @@
 #pragma once
-/// `mpmstudy figures STUDY...`: draws the figures of studies from the catalog, without running anything.
+/// `mpmstudy figures [STUDY...]`: draws the figures of studies from the catalog, without running anything:
+/// those named, or all that the catalog has, each in the form of its last run.
 #include <string>
 #include <vector>
 

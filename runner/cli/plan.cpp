@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/catalog/reader.hpp"
+#include "runner/cli/last_run.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/exec/processors.hpp"
 #include "runner/plan/plan.hpp"
@@ -262,6 +263,7 @@ void setup_plan(CLI::App& app) {
 int run_plan(const PlanOptions& options) {
   const int workers = options.workers > 0 ? options.workers : usable_processors();
   const Study study = read_study(options.file, options.study);
+  say_last_form(study, options.study, options.results);
   const Plan plan = make_plan(study, CostModel(measured_costs(options.results)));
   if (options.json)
     fmt::print("{}\n", to_json(study, plan, workers).dump(2));

@@ -1,5 +1,6 @@
 #pragma once
-/// `mpmstudy report STUDY...`: one self-contained HTML page from the catalog, and the table of claims.
+/// `mpmstudy report [STUDY...]`: one self-contained HTML page from the catalog, and the table of claims. Of
+/// the studies named, or of all that the catalog has, each in the form of its last run.
 #include <string>
 #include <vector>
 

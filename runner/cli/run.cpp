@@ -23,6 +23,7 @@
 #include "runner/cli/amounts.hpp"
 #include "runner/cli/job_labels.hpp"
 #include "runner/cli/print_results.hpp"
+#include "runner/cli/last_run.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/cli/run_slurm.hpp"
 #include "runner/exec/git_revision.hpp"
@@ -230,6 +231,13 @@ std::vector<PlannedStudy> plan_studies(const RunOptions& options, const std::vec
   return planned;
 }
 
+void say_what_is_replaced(const std::vector<Study>& studies, const std::vector<PlannedStudy>& planned,
+                          const RunOptions& options) {
+  auto next = planned.begin();
+  for (const Study& study : studies)
+    say_what_is_replaced(study, study.search ? nullptr : &(next++)->plan, options.study, options.results);
+}
+
 }  // namespace
 
 void setup_run(CLI::App& app, RunSeams given) {
@@ -287,6 +295,7 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   const CostModel cost(measured_costs(options.results));
   const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit), {}};
   const auto planned = plan_studies(options, studies, cost);
+  if (options.only.empty()) say_what_is_replaced(studies, planned, options);
   if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
   JobLabels labels(studies);
   add_labels(labels, studies, planned);

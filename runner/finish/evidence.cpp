@@ -80,7 +80,19 @@ Cavities cavities_of(const mpm::Snapshot& s, double cell) {
 
 }  // namespace
 
+Evidence::Evidence(std::filesystem::path results, const std::vector<Study>& studies)
+    : results_(std::move(results)) {
+  for (const Study& study : studies) standings_[study.name] = standing_of(study, results_);
+}
+
+const StudyStanding& Evidence::standing(const std::string& study) const {
+  static const StudyStanding unknown{Standing::other, "its study file is not among those given"};
+  const auto found = standings_.find(study);
+  return found == standings_.end() ? unknown : found->second;
+}
+
 Rows Evidence::ask(const std::string& study, const std::string& sql) const {
+  if (standing(study).standing != Standing::whole) return {};
   const SqlValue name = study;
   return query(results_, sql, std::span(&name, 1));
 }
@@ -118,9 +130,26 @@ std::optional<double> Evidence::metric(const std::string& study, const std::stri
   return values.empty() ? std::nullopt : std::optional(values.front());
 }
 
-std::vector<double> Evidence::collapsibilities(const std::string& study, const std::string& order) const {
-  return numbers(study,
-                 "SELECT collapsibility FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY " + order);
+std::vector<Measured> Evidence::with_errors(const std::string& study, const std::string& sql) const {
+  std::vector<Measured> all;
+  for (const auto& row : ask(study, sql).rows)
+    if (const auto value = real(row[0])) all.push_back({*value, real(row[1])});
+  return all;
+}
+
+std::vector<Measured> Evidence::measured(const std::string& study, const std::string& name,
+                                         const std::string& order, const std::string& condition) const {
+  return with_errors(study,
+                     "SELECT m.value, m.error FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND "
+                     "j.status = 'done' AND m.name = '" +
+                         name + "' AND " + condition + " ORDER BY j." + order);
+}
+
+std::vector<Measured> Evidence::collapsibilities(const std::string& study, const std::string& order) const {
+  return with_errors(study,
+                     "SELECT collapsibility, collapsibility_error FROM jobs WHERE study = ?1 AND status = "
+                     "'done' AND (flags IS NULL OR flags = '') ORDER BY " +
+                         order);
 }
 
 std::string Evidence::largest_interval(const std::string& study) const {

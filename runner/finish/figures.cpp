@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "analysis/calibration_plot.hpp"
 #include "analysis/field_plot.hpp"
+#include "analysis/fonts.hpp"
 #include "analysis/plot.hpp"
 #include "libmpm/io/vtkhdf.hpp"
 #include "libmpm/scene/parameters.hpp"
@@ -53,8 +55,8 @@ bool draw_history(const Study& study, const StudyResults& results, const FigureR
 void add_extrapolated(const Study& study, const StudyResults& results, const FigureRequest& request,
                       analysis::Plot& plot) {
   const std::string y = request.y + "_extrapolated";
-  const auto fit =
-      std::ranges::find_if(study.fits, [&](const FitRequest& f) { return f.x == request.x && same_result(f.y, y); });
+  const auto fit = std::ranges::find_if(
+      study.fits, [&](const FitRequest& f) { return f.x == request.x && same_result(f.y, y); });
   const auto families = group_jobs(study, results, curve_of(study, request.x, y));
   for (const Group& family : families) {
     Column c = column_of(results, family, request.x, y);
@@ -116,11 +118,18 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   return true;
 }
 
-analysis::FieldPanel panel_of(const mpm::Snapshot& s, const std::string& field) {
-  analysis::FieldPanel panel;
-  panel.title = analysis::value_label(analysis::named_quantity("time"), s.time);
-  panel.particles = particles_of(s, field);
-  return panel;
+/// One panel a snapshot; times have digits until they differ.
+std::vector<analysis::FieldPanel> panels_of(const std::vector<fs::path>& files, const std::string& field) {
+  std::vector<analysis::FieldPanel> panels;
+  std::vector<double> times;
+  for (const fs::path& file : files) {
+    const mpm::Snapshot s = mpm::read_vtkhdf(file);
+    panels.push_back({"", particles_of(s, field)});
+    times.push_back(s.time);
+  }
+  const auto titles = analysis::value_labels(analysis::named_quantity("time"), times);
+  for (std::size_t i = 0; i < panels.size(); ++i) panels[i].title = titles[i];
+  return panels;
 }
 
 /// One figure a job: NAME, or NAME-1, NAME-2, ... in the order of the sweep.
@@ -135,8 +144,7 @@ std::vector<fs::path> draw_fields(const Study& study, const StudyResults& result
     plot.footer = footer_of(results);
     plot.value = analysis::named_quantity(request.y);
     plot.mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
-    for (const fs::path& file : snapshots_of(results, job))
-      plot.panels.push_back(panel_of(mpm::read_vtkhdf(file), request.y));
+    plot.panels = panels_of(snapshots_of(results, job), request.y);
     if (plot.panels.empty()) continue;
     const std::string suffix = groups.size() == 1 ? "" : fmt::format("-{}", g + 1);
     stems.push_back(stem.string() + suffix);
@@ -161,7 +169,7 @@ bool draw_calibration(const Study& study, const StudyResults& results, const Fig
 std::vector<fs::path> draw_figures(const Study& study, const StudyResults& results) {
   std::vector<fs::path> stems;
   for (const FigureRequest& request : study.figures) {
-    const fs::path stem = results.folder / "figures" / request.name;
+    const fs::path stem = results.folder / "figures" / study.name / request.name;
     bool drawn = false;
     if (request.kind == "fields")
       for (fs::path& one : draw_fields(study, results, request, stem)) stems.push_back(std::move(one));
@@ -173,8 +181,28 @@ std::vector<fs::path> draw_figures(const Study& study, const StudyResults& resul
       drawn = draw_xy(study, results, request, stem);
     if (drawn) stems.push_back(stem);
   }
+  auto sorted = stems;
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+    throw std::runtime_error(
+        fmt::format("{}: two figures are {}.png: of `fields` each job has NAME-1, NAME-2, "
+                    "..., each also NAME-grey; give the other figure another name",
+                    study.path.string(), twice->string()));
   for (fs::path& stem : stems) stem += ".png";
   return stems;
+}
+
+std::vector<std::string> figure_notes(const Study& study, const StudyResults& results) {
+  std::vector<std::string> notes;
+  for (const std::string& line : left_out(study, results))
+    notes.push_back("left out of figures and fits: " + line);
+  for (const FigureRequest& request : study.figures)
+    if (const auto missing = analysis::characters_without_font(request.title); !missing.empty())
+      notes.push_back(
+          fmt::format("title of figure {}: no font of this machine has {}; a question mark stands for "
+                      "each (Debian: fonts-noto-cjk has Chinese, Japanese and Korean)",
+                      request.name, fmt::join(missing, ", ")));
+  return notes;
 }
 
 }  // namespace mpmstudy

@@ -6,10 +6,14 @@
 
 namespace mpmstudy {
 
-/// Draws every [[figure]] of the study from what is done, as results/figures/NAME.png and .svg; `fields` also
-/// in the paper's grey, NAME-grey. A figure for which nothing is done yet is left out. Returns the PNG files.
-/// Every image carries the fingerprint of the rows it was drawn from and the physics version. Throws
-/// std::runtime_error where gnuplot, a snapshot file or the disk fails.
+/// Draws every [[figure]] of the study from what is done, as results/figures/STUDY/NAME.png and .svg;
+/// `fields` also in the paper's grey, NAME-grey. A figure for which nothing is done yet is left out. Returns
+/// the PNG files. Every image carries the fingerprint of the rows it was drawn from and the physics version.
+/// Throws std::runtime_error where gnuplot, a snapshot file or the disk fails.
 std::vector<std::filesystem::path> draw_figures(const Study&, const StudyResults&);
+
+/// What a reader of the figures and fits has to be told, a line each: numbers that are left out because they
+/// have no meaning, characters of a title that no font has.
+std::vector<std::string> figure_notes(const Study&, const StudyResults&);
 
 }  // namespace mpmstudy

@@ -47,6 +47,9 @@ void finish_study(const Study& study, const std::filesystem::path& folder, Catal
   Fits fits = fit_study(study, results);
   for (const std::string& problem : fits.problems)
     fmt::print(stderr, "{}: no fit, {}\n", study.name, problem);
+  for (const std::string& note : fits.notes) fmt::print(stderr, "{}: {}\n", study.name, note);
+  for (const std::string& note : figure_notes(study, results))
+    fmt::print(stderr, "{}: {}\n", study.name, note);
   writer.replace_fits(study.name, std::move(fits.rows));
   for (const auto& path : draw_figures(study, results)) fmt::print("{}\n", path.string());
   if (study.ladder.accuracy) check_accuracy(study, folder);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "libmpm/scene/parameters.hpp"
 #include "runner/study/critical_names.hpp"
 
@@ -21,7 +24,7 @@ std::string coefficient_unit(const std::string& y, std::string_view x, std::size
 Column column_of(const StudyResults& results, const Group& group, const std::string& x,
                  const std::string& y) {
   Column column;
-  bool errors = true;
+  bool errors = false;
   const mpm::Quantity* quantity = mpm::find_quantity(x);
   for (const JobResults* job : group.jobs) {
     const auto measured = result_of(results, *job, y);
@@ -29,14 +32,15 @@ Column column_of(const StudyResults& results, const Group& group, const std::str
     column.x.push_back(quantity->get(job->scene));
     column.y.push_back(measured->value);
     column.y_error.push_back(measured->error.value_or(0));
-    errors &= measured->error.value_or(0) > 0;
+    errors |= measured->error.value_or(0) > 0;
   }
   if (!errors) column.y_error.clear();
   return column;
 }
 
 analysis::Fit fit_column(const FitRequest& request, const Column& c) {
-  const bool weighed = critical_result(request.y) == CriticalResult::extrapolated;
+  const bool weighed =
+      !c.y_error.empty() && std::ranges::all_of(c.y_error, [](double error) { return error > 0; });
   return analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y,
                                   weighed ? std::span<const double>(c.y_error) : std::span<const double>());
 }
@@ -72,8 +76,16 @@ Fits fit_study(const Study& study, const StudyResults& results) {
               fit.covariance.begin() + static_cast<std::ptrdiff_t>(k * fit.coefficients.size());
           row.covariance.assign(first, first + static_cast<std::ptrdiff_t>(fit.coefficients.size()));
         }
+        row.reduced_chi2 = fit.reduced_chi2();
+        row.points = fit.points;
+        row.family = group.family;
         fits.rows.push_back(std::move(row));
       }
+      if (const auto chi2 = fit.reduced_chi2(); chi2 && *chi2 > 1)
+        fits.notes.push_back(
+            fmt::format("{} of {} against {}: the points are off the curve by {:.2g} times "
+                        "their intervals (reduced chi^2 = {:.3g})",
+                        model, request.y, request.x, std::sqrt(*chi2), *chi2));
     }
   }
   return fits;

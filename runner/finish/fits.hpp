@@ -10,22 +10,22 @@ namespace mpmstudy {
 /// Columns of one group of jobs: a quantity against a result. Jobs without the result are left out.
 struct Column {
   std::vector<double> x, y;
-  std::vector<double> y_error;  ///< empty unless every point has an error above 0
+  std::vector<double> y_error;  ///< half widths, 0 where none is known; empty if none is known at all
 };
 Column column_of(const StudyResults&, const Group&, const std::string& x, const std::string& y);
 
-/// The curve through a column. Points weigh the same: errors of a collapse (scatter of the ring-down,
-/// difference of measures) are no standard deviations about the curve, and as weights would let the quietest
-/// runs decide. Critical values for cells of size 0 are the exception: what is not known of them is how far
-/// the extrapolation went, which differs tenfold from point to point, so they weigh 1 / interval^2.
+/// The curve through a column. Where every point has an interval, points weigh 1 / half width^2, and half
+/// widths are taken as standard deviations: standard errors are then no smaller than what the bars beside the
+/// curve leave open. Otherwise they weigh the same.
 analysis::Fit fit_column(const FitRequest&, const Column&);
 
 /// Every [[fit]] of the study. Rows go coefficient by coefficient, in SI. Where the study sweeps more than
 /// the fit's x, one fit a group, and `model` carries the group: "quadratic, h = 0.1 um". A fit that cannot be
-/// made is in `problems`, a line each.
+/// made is in `problems`, a line each; what is to be said of one that is made (its points are off the curve
+/// by more than their intervals) is in `notes`.
 struct Fits {
   std::vector<FitRow> rows;
-  std::vector<std::string> problems;
+  std::vector<std::string> problems, notes;
 };
 Fits fit_study(const Study&, const StudyResults&);
 

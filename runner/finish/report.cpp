@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include "analysis/page.hpp"
 #include "analysis/raster.hpp"
@@ -16,7 +17,11 @@
 #include "runner/exec/git_revision.hpp"
 #include "runner/finish/fields.hpp"
 #include "runner/finish/figures.hpp"
+#include "runner/finish/fits.hpp"
+#include "runner/finish/reference_claims.hpp"
+#include "runner/finish/standing.hpp"
 #include "runner/finish/study_results.hpp"
+#include "runner/plan/plan.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -30,15 +35,22 @@ std::string shown(const SqlValue& value) {
   return "";
 }
 
-/// A table of what the catalog answers; empty rows: nothing to show.
+/// Name of a last column that only says which rows belong: it holds the whole key of the row's job.
+constexpr const char* whole_key = "whole_key";
+
+/// A table of what the catalog answers; empty rows: nothing to show. Where the last column is whole_key, only
+/// rows whose job is among `keys`, and without that column.
 analysis::PageTable table_of(const fs::path& results, const std::string& caption, const std::string& sql,
-                             const std::string& study) {
+                             const std::string& study, const std::set<std::string>& keys = {}) {
   const SqlValue name = study;
   const Rows rows = query(results, sql, std::span(&name, 1));
   analysis::PageTable table{caption, rows.names, {}};
+  const bool by_key = !table.head.empty() && table.head.back() == whole_key;
+  if (by_key) table.head.pop_back();
   for (const auto& row : rows.rows) {
+    if (by_key && !keys.contains(std::get<std::string>(row.back()))) continue;
     std::vector<std::string> cells;
-    for (const auto& value : row) cells.push_back(shown(value));
+    for (std::size_t i = 0; i < table.head.size(); ++i) cells.push_back(shown(row[i]));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -101,14 +113,15 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
   constexpr int width = 180;
   analysis::PageAnimation animation;
   std::vector<analysis::Particles> frames;
-  std::vector<double> values;
+  std::vector<double> values, times;
   for (const fs::path& file : snapshots_of(results, job)) {
     const mpm::Snapshot s = mpm::read_vtkhdf(file);
     frames.push_back(particles_of(s, field));
-    animation.captions.push_back(fmt::format("t = {:.2f} ns", s.time * 1e9));
+    times.push_back(s.time);
     values.insert(values.end(), frames.back().value.begin(), frames.back().value.end());
   }
   if (frames.size() < 3) return {};
+  animation.captions = analysis::value_labels(analysis::named_quantity("time"), times);
   const bool mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
   std::vector<const analysis::Particles*> all;
   for (const auto& frame : frames) all.push_back(&frame);
@@ -141,12 +154,43 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
   return animation;
 }
 
-analysis::PageSection section_of(const Study& study, const fs::path& folder) {
+/// Keys that the jobs of a study can have: with an accuracy those of several cells.
+std::set<std::string> keys_of(const Study& study) {
+  std::set<std::string> keys;
+  for (const mpm::Scene& scene : study.scenes) {
+    const LadderScenes ladder = ladder_scenes(scene, study.ladder);
+    for (std::size_t rung = ladder.first_answer; rung < ladder.scenes.size(); ++rung)
+      keys.insert(job_key(ladder.scenes[rung]));
+  }
+  return keys;
+}
+
+std::string shown_number(const std::optional<double>& value) {
+  return value ? fmt::format("{:.6g}", *value) : "";
+}
+
+analysis::PageTable fits_of(const Study& study, const StudyResults& results) {
+  analysis::PageTable table{"Fits",
+                            {"quantity", "against", "model", "coefficient", "value", "standard_error", "r2",
+                             "reduced_chi2", "unit"},
+                            {}};
+  for (const FitRow& fit : fit_study(study, results).rows)
+    table.rows.push_back({fit.quantity, fit.against, fit.model, fit.coefficient, shown_number(fit.value),
+                          shown_number(fit.standard_error), shown_number(fit.r2),
+                          shown_number(fit.reduced_chi2), fit.unit});
+  return table;
+}
+
+analysis::PageSection section_of(const ReportedStudy& reported, const fs::path& folder) {
+  const Study& study = reported.study;
+  const std::set<std::string> keys = keys_of(study);
   analysis::PageSection section{study.name, study.title, reading_of(study.path), {}, {}, {}};
   const StudyResults results = read_results(study, folder);
+  if (!reported.options.empty()) section.text += "\n\nAs it was run with" + reported.options + ".";
   if (results.missing > 0)
-    section.text +=
-        fmt::format("\n\nNot complete: {} of {} are missing.", results.missing, study.scenes.size());
+    section.text += fmt::format("\n\nNot complete: {} of {} are missing; {}.", results.missing,
+                                results.missing + results.done.size(), standing_of(study, folder).why);
+  for (const std::string& note : figure_notes(study, results)) section.text += "\n\n" + note + ".";
   for (const fs::path& png : draw_figures(study, results)) {
     fs::path svg = png;
     svg.replace_extension(".svg");
@@ -161,43 +205,43 @@ analysis::PageSection section_of(const Study& study, const fs::path& folder) {
         section.animations.push_back(std::move(animation));
   }
   const auto add = [&](const std::string& caption, const std::string& sql) {
-    if (auto table = table_of(folder, caption, sql, study.name); !table.rows.empty())
+    if (auto table = table_of(folder, caption, sql, study.name, keys); !table.rows.empty())
       section.tables.push_back(std::move(table));
   };
-  if (study.search)
+  if (study.search && !results.done.empty())
     add("Brackets",
         "SELECT " + swept_of_brackets(study.swept) +
             "cell_size_m, quantity, unit, lower, upper, extrapolated, interval, runs, flags, "
             "substr(lower_key, 1, 12) AS lower_job, substr(upper_key, 1, 12) AS upper_job FROM brackets "
             "WHERE study = ?1 ORDER BY position");
-  else
+  if (!study.search)
     add("Jobs",
         "SELECT " + columns_of(study.swept) +
             "status, outcome, collapsibility, collapsibility_error, energy_error, particles, steps, cpu_s, "
-            "substr(key, 1, 12) AS job FROM jobs WHERE study = ?1 ORDER BY position");
+            "flags, substr(key, 1, 12) AS job, key AS whole_key FROM jobs WHERE study = ?1 ORDER BY "
+            "position");
   if (study.search)
-    add("Audit: runs that stopped when decided, run to their end",
-        audit_sql(study));
+    add("Audit: runs that stopped when decided, run to their end", audit_sql(study));
   else
     add("Error bars from several cells",
         "SELECT " + columns_of(study.swept) +
             "a.value, a.error, a.extrapolated_value, a.extrapolated_error, a.observed_order, a.method, "
-            "substr(a.key, 1, 12) AS job FROM accuracy a JOIN jobs j ON j.key = a.key AND j.study = a.study "
+            "substr(a.key, 1, 12) AS job, a.key AS whole_key FROM accuracy a JOIN jobs j ON j.key = a.key "
+            "AND j.study = a.study "
             "WHERE a.study = ?1 AND a.quantity = 'collapsibility' ORDER BY j.position");
-  add("Fits",
-      "SELECT quantity, against, model, coefficient, value, standard_error, r2, unit FROM fits WHERE study = "
-      "?1");
+  if (auto fits = fits_of(study, results); !fits.rows.empty()) section.tables.push_back(std::move(fits));
   if (!study.search)
     add("Measured",
-        "SELECT substr(j.key, 1, 12) AS job, m.name, m.value, m.error, m.unit FROM jobs j JOIN metrics m "
-        "USING "
-        "(key) WHERE j.study = ?1 ORDER BY j.position, m.name");
+        "SELECT substr(j.key, 1, 12) AS job, m.name, m.value, m.error, m.unit, j.key AS whole_key FROM jobs "
+        "j "
+        "JOIN metrics m USING (key) WHERE j.study = ?1 ORDER BY j.position, "
+        "m.name");
   return section;
 }
 
 }  // namespace
 
-std::string report_page(const std::vector<Study>& studies, const fs::path& folder,
+std::string report_page(const std::vector<ReportedStudy>& studies, const fs::path& folder,
                         const std::vector<Claim>& claims) {
   analysis::Page page;
   page.title = "Cavity collapse under shock: the paper, reproduced";
@@ -212,15 +256,23 @@ std::string report_page(const std::vector<Study>& studies, const fs::path& folde
       {},
       {},
       {}};
-  analysis::PageTable table{"", {"paper", "verdict", "measured", "on what it rests", "study"}, {}};
-  for (const Claim& c : claims) table.rows.push_back({c.sentence, c.verdict, c.measured, c.note, c.study});
+  analysis::PageTable table{
+      "",
+      {"paper", "verdict", "measured", "fine cells (results/reference)", "on what it rests", "study"},
+      {}};
+  for (const Claim& c : claims) {
+    const auto fine = reference_claims().find(c.name);
+    const std::string reference =
+        fine == reference_claims().end() ? "" : fine->second.verdict + ": " + fine->second.measured;
+    table.rows.push_back({c.sentence, c.verdict, c.measured, reference, c.note, c.study});
+  }
   judged.tables.push_back(std::move(table));
   page.sections.push_back(std::move(judged));
 
   std::string fingerprints;
-  for (const Study& study : studies) {
+  for (const ReportedStudy& study : studies) {
     page.sections.push_back(section_of(study, folder));
-    fingerprints += read_results(study, folder).fingerprint;
+    fingerprints += read_results(study.study, folder).fingerprint;
   }
   analysis::PageSection costs{"costs", "Costs", "", {}, {}, {}};
   costs.tables.push_back(table_of(

@@ -4,13 +4,16 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "analysis/units.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/plan/plan.hpp"
+#include "runner/status/label.hpp"
 #include "runner/study/critical_names.hpp"
 
 namespace mpmstudy {
@@ -36,11 +39,51 @@ Rows ask(const StudyResults& results, const std::string& sql, const SqlValue& pa
   return query(results.folder, sql, std::span(&parameter, 1));
 }
 
-std::string label_of(const std::string& name, const mpm::Scene& scene) {
-  if (const mpm::Quantity* q = mpm::find_quantity(name))
-    return analysis::value_label(analysis::named_quantity(name, q->unit), q->get(scene));
-  const mpm::Choice* c = mpm::find_choice(name);
-  return c ? std::string(c->allowed[c->get(scene)]) : name;
+/// Results that mean nothing once the cavity is no closed hole (view `jobs`, column `flags`).
+constexpr const char* of_the_final_area[] = {"collapsibility", "final_area_m2", "final_void_area_m2"};
+
+bool is_of_the_final_area(const std::string& name) {
+  return std::ranges::any_of(of_the_final_area, [&](const char* one) { return name == one; });
+}
+
+bool differs_by_rounding(double a, double b) {
+  constexpr double rounding = 1e-12;  // values of a study are written with twelve digits at most
+  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
+/// What jobs have of one swept name: for each job which value, as a number, in JSON, and as a label.
+struct SweptValues {
+  std::vector<std::size_t> which;   ///< of each job; equal: the same value
+  std::vector<std::string> labels;  ///< of each job
+  std::vector<nlohmann::json> json;
+  std::string column;
+};
+
+SweptValues swept_values(const std::string& name, const std::vector<JobResults>& jobs) {
+  SweptValues swept;
+  if (const mpm::Choice* c = mpm::find_choice(name)) {
+    swept.column = c->column;
+    for (const JobResults& job : jobs) {
+      swept.which.push_back(c->get(job.scene));
+      swept.labels.emplace_back(c->allowed[swept.which.back()]);
+      swept.json.push_back(swept.labels.back());
+    }
+    return swept;
+  }
+  const mpm::Quantity* q = mpm::find_quantity(name);
+  swept.column = q->column;
+  std::vector<double> distinct, values;
+  for (const JobResults& job : jobs) {
+    const double value = q->get(job.scene);
+    const auto same =
+        std::ranges::find_if(distinct, [&](double other) { return differs_by_rounding(value, other); });
+    swept.which.push_back(static_cast<std::size_t>(same - distinct.begin()));
+    if (same == distinct.end()) distinct.push_back(value);
+    values.push_back(distinct[swept.which.back()]);
+    swept.json.push_back(values.back());
+  }
+  swept.labels = analysis::value_labels(analysis::named_quantity(name, q->unit), values);
+  return swept;
 }
 
 /// The key of the run at an end of a bracket; "" if there is no end.
@@ -103,7 +146,9 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
                           "WHERE study = ?1 AND status = 'done' ORDER BY key",
                           std::span(&name, 1));
   for (const auto& row : rows.rows) done.insert(std::get<std::string>(row[0]));
+  std::set<std::string> seen;
   for (const mpm::Scene& scene : study.scenes) {
+    if (!seen.insert(job_key(scene)).second) continue;  // a value that stands twice in a list counts once
     // With an accuracy it is the finest cell that the ladder has reached.
     const LadderScenes ladder = ladder_scenes(scene, study.ladder);
     auto rung = ladder.scenes.size();
@@ -129,6 +174,10 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
                                   const std::string& name) {
   if (const auto critical = critical_result(name))
     return critical == CriticalResult::bracket ? job.critical : job.extrapolated;
+  if (is_of_the_final_area(name))
+    for (const auto& row : ask(results, "SELECT flags FROM jobs WHERE key = ?1 LIMIT 1", job.key).rows)
+      if (const auto* flags = std::get_if<std::string>(&row[0]); flags && !flags->empty())
+        return std::nullopt;
   Rows rows;
   if (is_job_column(name)) {
     std::string error = "NULL";
@@ -174,25 +223,53 @@ std::vector<std::filesystem::path> snapshots_of(const StudyResults& results, con
 
 std::vector<Group> group_jobs(const Study& study, const StudyResults& results,
                               const std::vector<std::string>& within) {
+  std::vector<SweptValues> swept;
+  for (const std::string& name : study.swept)
+    if (std::ranges::find(within, name) == within.end()) swept.push_back(swept_values(name, results.done));
   std::vector<Group> groups;
-  for (const JobResults& job : results.done) {
-    std::string label;
-    for (const std::string& name : study.swept)
-      if (std::ranges::find(within, name) == within.end())
-        label += (label.empty() ? "" : ", ") + label_of(name, job.scene);
-    const auto same = std::ranges::find(groups, label, &Group::label);
-    if (same == groups.end())
-      groups.push_back({label, {&job}});
-    else
-      same->jobs.push_back(&job);
+  std::map<std::vector<std::size_t>, std::size_t> known;  // values -> group
+  for (std::size_t i = 0; i < results.done.size(); ++i) {
+    std::vector<std::size_t> values;
+    for (const SweptValues& one : swept) values.push_back(one.which[i]);
+    const auto [at, is_new] = known.emplace(std::move(values), groups.size());
+    if (is_new) {
+      Group group;
+      nlohmann::ordered_json family = nlohmann::ordered_json::object();
+      for (const SweptValues& one : swept) {
+        group.label += (group.label.empty() ? "" : ", ") + one.labels[i];
+        family[one.column] = one.json[i];
+      }
+      group.family = family.dump();
+      groups.push_back(std::move(group));
+    }
+    groups[at->second].jobs.push_back(&results.done[i]);
   }
   return groups;
 }
 
+std::vector<std::string> left_out(const Study& study, const StudyResults& results) {
+  std::set<std::string> asked;
+  for (const FitRequest& fit : study.fits) asked.insert(fit.y);
+  for (const FigureRequest& figure : study.figures) asked.insert(figure.y);
+  std::vector<std::string> lines;
+  for (const char* name : of_the_final_area) {
+    if (!asked.contains(name)) continue;
+    for (const JobResults& job : results.done)
+      for (const auto& row : ask(results, "SELECT flags FROM jobs WHERE key = ?1 LIMIT 1", job.key).rows)
+        if (const auto* flags = std::get_if<std::string>(&row[0]); flags && !flags->empty())
+          lines.push_back(fmt::format("{} of job {}: {}", name, short_key(job.key), *flags));
+  }
+  return lines;
+}
+
 std::vector<std::string> curve_of(const Study& study, const std::string& x, const std::string& y) {
   std::set<double> places;
-  for (const mpm::Scene& scene : study.scenes) places.insert(mpm::find_quantity(x)->get(scene));
-  if (places.size() == study.scenes.size()) return study.swept;
+  std::set<std::string> jobs;  // a value that stands twice in a list makes one job
+  for (const mpm::Scene& scene : study.scenes) {
+    places.insert(mpm::find_quantity(x)->get(scene));
+    jobs.insert(job_key(scene));
+  }
+  if (places.size() == jobs.size()) return study.swept;
   if (critical_result(y) == CriticalResult::extrapolated) return {x, "cell_size"};
   return {x};
 }

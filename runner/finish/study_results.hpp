@@ -26,24 +26,30 @@ struct JobResults {
   std::optional<Measured> extrapolated;  ///< ... for cells of size 0
 };
 
-/// The done jobs of a study, in the order of its sweep, and how many are not done; of a study with [search],
-/// the brackets that were found, and how many points have not been searched.
+/// The done jobs of a study, in the order of its sweep, each once, and how many are not done; of a study with
+/// [search], the brackets that were found, and how many points have not been searched.
 struct StudyResults {
   std::string study;             ///< its name
   std::filesystem::path folder;  ///< the results folder
   std::vector<JobResults> done;
   std::size_t missing = 0;
-  std::string fingerprint;  ///< of keys and results: 16 hexadecimal digits
+  std::string fingerprint;                  ///< of keys and results: 16 hexadecimal digits
   const mpm::Quantity* critical = nullptr;  ///< what the study searches, or null
 };
 
 /// Throws CatalogError if there is no catalog.
 StudyResults read_results(const Study&, const std::filesystem::path& results);
 
+/// A number that has no meaning in its job (view `jobs`, column `flags`) is left out of figures and fits: a
+/// line each, "collapsibility of job 1a2b3c4d5e6f: cavity open to the outside ...". Of the results that the
+/// study's figures and fits ask for.
+std::vector<std::string> left_out(const Study&, const StudyResults&);
+
 /// A result column of the view `jobs`, a name of the view `metrics`, or one of a search
-/// (runner/study/critical_names.hpp); empty where the job has none.
+/// (runner/study/critical_names.hpp); empty where the job has none, or one without a meaning.
 std::optional<Measured> result_of(const StudyResults&, const JobResults&, const std::string& name);
-/// SI unit of such a name: that of the searched quantity, that of the metric, or what the column's name ends in.
+/// SI unit of such a name: that of the searched quantity, that of the metric, or what the column's name ends
+/// in.
 std::string unit_of(const StudyResults&, const std::string& name);
 
 std::vector<mpm::AreaSample> area_history_of(const StudyResults&, const JobResults&);
@@ -52,10 +58,12 @@ std::vector<std::filesystem::path> snapshots_of(const StudyResults&, const JobRe
 
 /// Jobs that differ in a few swept names alone, and what sets them apart from the other groups.
 struct Group {
-  std::string label;  ///< "h = 0.1 um"; empty if there is one group
+  std::string label;          ///< "h = 0.1 um", digits until labels differ; empty if there is one group
+  std::string family = "{}";  ///< the same as a JSON object: column of the view `jobs` -> value
   std::vector<const JobResults*> jobs;
 };
-/// Groups by all that the study sweeps apart from `within`; without any, every job is a group.
+/// Groups by the values of all that the study sweeps apart from `within`; without any, every job is a group.
+/// Values that differ by rounding alone are one: a wall thickness is a difference of lengths.
 std::vector<Group> group_jobs(const Study&, const StudyResults&, const std::vector<std::string>& within);
 /// What jobs on one curve of `y` against `x` differ in: x; cells, where y is extrapolated from them;
 /// everything, where no two scenes have the same x (mode = "zip").

@@ -55,7 +55,8 @@ TEST_F(Views, jobs) {
                          "particle_updates_per_s",
                          "failure_kind",
                          "crashes",
-                         "stale"};
+                         "stale",
+                         "flags"};
   ASSERT_GT(names.size(), results.size());
   EXPECT_EQ(Names(names.end() - static_cast<long>(results.size()), names.end()), results);
 }
@@ -71,7 +72,7 @@ TEST_F(Views, others) {
                                          "runs", "position", "swept"}));
   EXPECT_EQ(columns("claims"), (Names{"name", "sentence", "verdict", "measured", "note", "study"}));
   EXPECT_EQ(columns("fits"), (Names{"study", "quantity", "model", "coefficient", "value", "standard_error",
-                                    "r2", "unit", "against", "covariance"}));
+                                    "r2", "unit", "against", "covariance", "reduced_chi2", "points", "family"}));
   EXPECT_EQ(columns("snapshots"), (Names{"key", "time_s", "path", "bytes", "checksum", "step"}));
   EXPECT_EQ(columns("events"),
             (Names{"key", "from_status", "to_status", "at", "by", "attempt", "reason", "id"}));

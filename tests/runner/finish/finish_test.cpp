@@ -46,7 +46,7 @@ kind  = "fields"
 y     = "pressure"
 )";
 
-class Finish : public testing::Test {
+class WholeStudy : public testing::Test {
  protected:
   void SetUp() override { std::ofstream(file()) << study; }
 
@@ -65,7 +65,7 @@ class Finish : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(Finish, FitsReachTheCatalogAndFiguresTheFolder) {
+TEST_F(WholeStudy, FitsReachTheCatalogAndFiguresTheFolder) {
   std::string printed;
   ASSERT_EQ(mpmstudy("run " + file().string(), printed), 0) << printed;
   // Two waves of nearly constant speed: sigma = rho0 C u + ..., with C from 5.4 to 5.9 km/s.
@@ -79,11 +79,11 @@ TEST_F(Finish, FitsReachTheCatalogAndFiguresTheFolder) {
   EXPECT_EQ(std::get<std::string>(rows.rows[1][4]), "Pa/(m/s)");
   EXPECT_EQ(std::get<std::string>(rows.rows[1][5]), "impact_speed");
   for (const char* name : {"stress.png", "stress.svg", "field-1.png", "field-4.svg", "field-1-grey.png"})
-    EXPECT_TRUE(fs::exists(results() / "figures" / name)) << name;
-  EXPECT_NE(printed.find((results() / "figures" / "stress.png").string()), std::string::npos);
+    EXPECT_TRUE(fs::exists(results() / "figures" / "finish" / name)) << name;
+  EXPECT_NE(printed.find((results() / "figures" / "finish" / "stress.png").string()), std::string::npos);
 
   // Drawn again from the catalog, to the same bytes.
-  const fs::path svg = results() / "figures" / "stress.svg";
+  const fs::path svg = results() / "figures" / "finish" / "stress.svg";
   const auto read = [&] {
     std::ifstream in(svg);
     return std::string(std::istreambuf_iterator<char>(in), {});
@@ -95,7 +95,7 @@ TEST_F(Finish, FitsReachTheCatalogAndFiguresTheFolder) {
   EXPECT_EQ(read(), before);
 }
 
-TEST_F(Finish, FiguresSayWhatIsNotDone) {
+TEST_F(WholeStudy, FiguresSayWhatIsNotDone) {
   std::string printed;
   ASSERT_EQ(
       mpmstudy("run " + file().string() + " --set impact_speed='{ values = [100, 200], unit = \"m/s\" }' -q",
@@ -103,7 +103,7 @@ TEST_F(Finish, FiguresSayWhatIsNotDone) {
       0)
       << printed;
   printed.clear();
-  EXPECT_EQ(mpmstudy("figures " + file().string(), printed), 75);
+  EXPECT_EQ(mpmstudy("figures --cells 1 " + file().string(), printed), 75);
   EXPECT_NE(printed.find("2 of 4 jobs are not done"), std::string::npos) << printed;
 }
 
@@ -128,11 +128,11 @@ kind  = "calibration"
 y     = "largest_collapsibility"
 )";
 
-TEST_F(Finish, IntervalsReachTheCatalogAndTheCalibrationIsDrawn) {
+TEST_F(WholeStudy, IntervalsReachTheCatalogAndTheCalibrationIsDrawn) {
   std::ofstream(file()) << cavity;
   std::string printed;
   ASSERT_EQ(mpmstudy("run " + file().string(), printed), 0) << printed;
-  EXPECT_TRUE(fs::exists(results() / "figures" / "held.svg"));
+  EXPECT_TRUE(fs::exists(results() / "figures" / "cavity" / "held.svg"));
   const auto rows =
       mpmstudy::query(results(),
                       "SELECT a.cells, a.error, j.collapsibility_error, a.measuring_difference, "
@@ -146,7 +146,7 @@ TEST_F(Finish, IntervalsReachTheCatalogAndTheCalibrationIsDrawn) {
   EXPECT_LE(std::hypot(number(3), number(4)), number(5) * (1 + 1e-9)) << "the parts, at the finest cell";
 }
 
-TEST_F(Finish, AnAccuracyThatIsMissedIsNoSuccess) {
+TEST_F(WholeStudy, AnAccuracyThatIsMissedIsNoSuccess) {
   std::ofstream(file()) << cavity;
   const std::string run = "run " + file().string() + " --set accuracy_of=largest_collapsibility --set ";
   std::string printed;

@@ -1,0 +1,175 @@
+#include "runner/cli/last_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "runner/catalog/connection.hpp"
+#include "runner/catalog/query.hpp"
+#include "runner/catalog/stored_jobs.hpp"
+#include "runner/plan/plan.hpp"
+#include "runner/status/label.hpp"
+#include "runner/study/schema.hpp"
+
+namespace mpmstudy {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "material.yield_stress=..." -> "yield_stress".
+std::string key_of(const std::string& set) {
+  const std::string key = set.substr(0, set.find('='));
+  return key.substr(key.find('.') == std::string::npos ? 0 : key.find('.') + 1);
+}
+
+bool is_name(const std::string& set) { return key_of(set) == "name"; }
+
+std::optional<StudySource> recorded_source(const std::string& results, const std::string& name) {
+  if (!fs::exists(catalog_path(results))) return std::nullopt;
+  for (StoredStudy& study : read_studies(results))
+    if (study.name == name) return std::move(study.source);
+  return std::nullopt;
+}
+
+/// A file that was moved is still the study's; another file that happens to have the name is not.
+bool is_file_of(const std::string& path, const StudySource& source) {
+  std::error_code error;
+  return source.path.empty() || !fs::exists(source.path, error) || fs::equivalent(path, source.path, error);
+}
+
+StudyForm recorded_form(std::string path, StudySource source) {
+  StudyOptions options;
+  options.set = std::move(source.set);
+  options.cells = source.cells;
+  options.yes = true;  // it has been allowed once
+  return {std::move(path), std::move(options)};
+}
+
+void check_names(const std::vector<StudyForm>& forms) {
+  std::map<std::string, std::string> seen;
+  for (const StudyForm& form : forms) {
+    const std::string name = read_study(form.path, form.options).name;
+    if (const auto [other, is_new] = seen.emplace(name, form.path); !is_new)
+      throw StudyError(form.path + ": name = \"" + name + "\": is also the name of " + other->second +
+                       "; studies that share a catalog have names of their own");
+  }
+}
+
+std::string quoted(const std::string& text) {
+  const bool plain = text.find_first_of(" '\"[]{}$") == std::string::npos;
+  if (plain) return text;
+  const char mark = text.find('\'') == std::string::npos ? '\'' : '"';
+  return mark + text + mark;
+}
+
+}  // namespace
+
+std::string options_text(const std::vector<std::string>& set, double cells) {
+  std::string text;
+  if (cells != 1) text += fmt::format(" --cells {:g}", cells);
+  for (const std::string& one : set) text += " --set " + quoted(one);
+  return text;
+}
+
+StudyForm last_form(const std::string& path, const StudyOptions& options, const std::string& results) {
+  if (options.cells_told || !std::ranges::all_of(options.set, is_name)) return {path, options};
+  const std::string name = read_study(path, options).name;
+  const auto source = recorded_source(results, name);
+  if (!source || !is_file_of(path, *source)) return {path, options};
+  StudyForm form = recorded_form(path, *source);
+  if (std::string text = options_text(form.options.set, form.options.cells); !text.empty())
+    fmt::print(stderr, "{}: as it was last run, with{} (--cells 1 takes the file as it is)\n", name, text);
+  return form;
+}
+
+std::vector<StudyForm> all_forms(const std::string& results, bool& complete) {
+  std::vector<StudyForm> forms;
+  for (StoredStudy& study : read_studies(results)) {
+    if (study.name.ends_with("-audit")) continue;  // runs of a search again; it has no file of its own
+    StudyForm form = recorded_form(study.source.path, study.source);
+    std::string wrong;
+    try {
+      if (form.path.empty())
+        wrong = "the catalog does not know its file";
+      else if (!fs::exists(form.path))
+        wrong = form.path + ": is not there any longer";
+      else if (const std::string name = read_study(form.path, form.options).name; name != study.name)
+        wrong = form.path + ": is now the file of " + name;
+    } catch (const StudyError& error) {
+      wrong = error.what();
+    }
+    if (wrong.empty()) {
+      forms.push_back(std::move(form));
+    } else {
+      fmt::print(stderr, "{}: left out; {}\n", study.name, wrong);
+      complete = false;
+    }
+  }
+  return forms;
+}
+
+std::vector<StudyForm> forms_of(const std::vector<std::string>& files, const StudyOptions& options,
+                                const std::string& results, bool& complete) {
+  if (files.empty()) {
+    if (options.cells_told || !options.set.empty())
+      throw StudyError("--set, --cells: say of which study; give its file");
+    return all_forms(results, complete);
+  }
+  std::vector<StudyForm> forms;
+  for (const std::string& file : files) forms.push_back(last_form(file, options, results));
+  check_names(forms);
+  return forms;
+}
+
+StudyForm as_written(StudyForm form) {
+  std::erase_if(form.options.set, [](const std::string& set) {
+    const std::string key = key_of(set);
+    const auto table = table_of(key);
+    return !(table && *table == "numerics") && key != "snapshots" && key != "tolerance" && key != "name" &&
+           key != "title";
+  });
+  return form;
+}
+
+void say_what_is_replaced(const Study& study, const Plan* plan, const StudyOptions& options,
+                          const std::string& results) {
+  const auto before = recorded_source(results, study.name);
+  if (!before) return;
+  const bool same = before->set == options.set && before->cells == options.cells;
+  if (!plan && same) return;
+  const SqlValue name = study.name;
+  const Rows done =
+      query(results, "SELECT key FROM jobs WHERE study = ?1 AND status = 'done'", std::span(&name, 1));
+  std::set<std::string> wanted;
+  if (plan)
+    for (const Job& job : all_jobs(*plan)) wanted.insert(job.key);
+  const auto leaving = std::ranges::count_if(
+      done.rows, [&](const auto& row) { return !wanted.contains(std::get<std::string>(row[0])); });
+  if (leaving == 0) return;
+  const std::string were = options_text(before->set, before->cells);
+  fmt::print(
+      stderr,
+      "{}: takes the place of the study of this name that was run before{}: {} {} it, and its fits and "
+      "figures are replaced; `--set name=...` keeps both\n",
+      study.name,
+      !is_file_of(study.path.string(), *before) ? " from " + before->path + were
+      : same                                    ? ", before its file was changed"
+      : were.empty()                            ? " as its file is"
+                                                : " with" + were,
+      counted(leaving, "done job"), leaving == 1 ? "leaves" : "leave");
+}
+
+void say_last_form(const Study& study, const StudyOptions& options, const std::string& results) {
+  const auto before = recorded_source(results, study.name);
+  if (!before || (before->set == options.set && before->cells == options.cells)) return;
+  const std::string were = options_text(before->set, before->cells);
+  fmt::print(stderr, "{}: was last run{}; this is the plan of `mpmstudy run {}{}`\n", study.name,
+             were.empty() ? " as its file is" : " with" + were, study.path.string(),
+             options_text(options.set, options.cells));
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,47 @@
+#pragma once
+/// The form in which a study was last run: its --set and --cells, which the catalog has recorded.
+#include <string>
+#include <vector>
+
+#include "runner/cli/cli.hpp"
+#include "runner/plan/plan.hpp"
+
+namespace mpmstudy {
+
+/// A study file with the options that it is read with.
+struct StudyForm {
+  std::string path;
+  StudyOptions options;
+};
+
+/// What a verb that reads the catalog shows of a study file: the form of its last run, unless --set or
+/// --cells say another one. Says in one line on stderr which form that is, if it is not the file's own. With
+/// `--set name=...` alone, the last run of the study with that name. Throws StudyError.
+StudyForm last_form(const std::string& path, const StudyOptions&, const std::string& results);
+
+/// Every study that the catalog has a file of, in the form of its last run. A study whose file is gone, or is
+/// now a file of another study, is named on stderr and makes `complete` false.
+std::vector<StudyForm> all_forms(const std::string& results, bool& complete);
+
+/// The forms of the files named, or of all studies of the catalog where none is. Throws StudyError where two
+/// of them have one name: their figures would have one folder.
+std::vector<StudyForm> forms_of(const std::vector<std::string>& files, const StudyOptions&,
+                                const std::string& results, bool& complete);
+
+/// A form without what changes the physics of the file: only the options on cells, numerics, snapshots, the
+/// tolerance of a search, and name and title stay. What the paper says is held against this.
+StudyForm as_written(StudyForm);
+
+/// " --cells 1.4 --set impact_speed=\"150 m/s\"": as one would type it; "" for the file as it is.
+std::string options_text(const std::vector<std::string>& set, double cells);
+
+/// Before `run` registers a study: says in one line what becomes of jobs that the catalog has under its name
+/// and that this form of it does not have. Nothing where there are none. `plan`: of the study; null for a
+/// search, whose jobs follow from what it finds.
+void say_what_is_replaced(const Study&, const Plan* plan, const StudyOptions&, const std::string& results);
+
+/// For `plan`, which plans what `run` with the same options would run: says in one line that the catalog has
+/// the study in another form, if it has.
+void say_last_form(const Study&, const StudyOptions&, const std::string& results);
+
+}  // namespace mpmstudy

@@ -1,0 +1,130 @@
+// README.md, command by command, in its order, on what ./reproduce.sh leaves behind, only coarser: every
+// command ends with 0 and does what its comment says.
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "runner/catalog/query.hpp"
+#include "tests/runner/cli/program.hpp"
+
+namespace mpmstudy {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Commands of the blocks for a shell, without their comments; a line that ends in an open quote goes on.
+std::vector<std::string> commands_of(const std::string& readme) {
+  std::vector<std::string> commands;
+  std::istringstream lines(readme);
+  bool inside = false;
+  std::string pending;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("```")) {
+      inside = line == "```sh";
+      continue;
+    }
+    if (!inside) continue;
+    pending += (pending.empty() ? "" : "\n") + line;
+    const std::string bare = std::regex_replace(pending, std::regex("(^|\\s)#.*"), "");
+    if (std::ranges::count(bare, '"') % 2 == 1) continue;
+    if (bare.find_first_not_of(" \n") != std::string::npos) commands.push_back(bare);
+    pending.clear();
+  }
+  return commands;
+}
+
+/// Studies that reproduce.sh runs.
+std::vector<std::string> reproduced() {
+  const std::string script = text_of(SOURCE_DIR "/reproduce.sh");
+  std::smatch found;
+  EXPECT_TRUE(std::regex_search(script, found, std::regex("studies=\\(([^)]*)\\)")));
+  std::istringstream names(found[1]);
+  return {std::istream_iterator<std::string>(names), {}};
+}
+
+class Readme : public Program {
+ protected:
+  /// In a folder that has studies/ and gets results/, as a clone does.
+  int shell(const std::string& command) {
+    const std::string whole =
+        "cd '" + folder.path().string() + "' && mpmstudy() { " PROGRAM " \"$@\"; } && " + command;
+    const std::string file = (folder.path() / "command.sh").string();
+    std::ofstream(file) << whole << "\n";
+    const int end = std::system(("bash '" + file + "' > '" + log + "' 2>&1 < /dev/null").c_str());
+    output = text_of(log);
+    return WEXITSTATUS(end);
+  }
+  /// What ./reproduce.sh runs, with cells that take seconds.
+  void reproduce() {
+    fs::create_directory_symlink(SOURCE_DIR "/studies", folder.path() / "studies");
+    std::string files, searches;
+    for (const std::string& name : reproduced())
+      (name.starts_with("critical-speed") ? searches : files) += " studies/" + name + ".toml";
+    EXPECT_EQ(shell("mpmstudy run -q" + files + " " + coarse), 0) << output;
+    EXPECT_EQ(shell("mpmstudy run -q" + searches + " " + coarse_search), 0) << output;
+    EXPECT_EQ(shell("mpmstudy report" + files + searches), 0) << output;
+  }
+  /// The command with cells that take seconds.
+  static std::string coarser(std::string command) {
+    if (const auto at = command.find("--cells 1.4"); at != std::string::npos)
+      command.replace(at, 11, command.find("critical-speed") == std::string::npos ? coarse : coarse_search);
+    return command;
+  }
+  std::size_t pictures() {
+    const std::string page = text_of(fs::path(results) / "report.html");
+    std::size_t count = 0;
+    for (auto at = page.find("data:image/"); at != std::string::npos; at = page.find("data:image/", at + 1))
+      ++count;
+    return count;
+  }
+  std::int64_t number(const std::string& sql) {
+    return std::get<std::int64_t>(query(results, sql).rows.at(0).at(0));
+  }
+
+  static constexpr const char* coarse = "--cells 2";
+  static constexpr const char* coarse_search =
+      "--cells 2 --set wall_thickness='\"1 um\"' --set cell_size='[\"0.28 um\", \"0.2 um\"]' --set "
+      "tolerance='100 m/s'";
+};
+
+TEST_F(Readme, EveryCommandEndsWellAndDoesWhatItsCommentSays) {
+  reproduce();
+  const std::size_t before = pictures();
+  EXPECT_GE(before, 39u);
+  std::size_t done = 0;
+  for (const std::string& command : commands_of(text_of(SOURCE_DIR "/README.md"))) {
+    if (!command.starts_with("mpmstudy")) continue;  // ./reproduce.sh, ./test.sh, the alias
+    ASSERT_EQ(shell(coarser(command)), 0) << command << "\n" << output;
+    ++done;
+    EXPECT_FALSE(output.empty()) << command;
+    if (command.find(" explain ") != std::string::npos) {
+      EXPECT_THAT(output, ContainsRegex("done: reused"));
+    } else if (command.find(" verify ") != std::string::npos) {
+      EXPECT_THAT(output, HasSubstr("5"));
+    } else if (command.find(" figures") != std::string::npos) {
+      EXPECT_THAT(output, HasSubstr("figures/weak-collapse/fig5.png"));
+      EXPECT_THAT(output, HasSubstr("figures/smoke-300/smoke-area.png"));
+    } else if (command.find(" query ") != std::string::npos) {
+      EXPECT_GE(std::ranges::count(output, '\n'), 3) << command;
+    }
+  }
+  EXPECT_GE(done, 10u);
+  EXPECT_EQ(number("SELECT count(*) FROM jobs WHERE study IN ('smoke', 'smoke-300') AND status = 'done'"), 4);
+  EXPECT_EQ(number("SELECT count(*) FROM critical_speed WHERE study = 'critical-speed'"), 2);
+  EXPECT_GT(pictures(), before) << "the page has the studies that were run since, too";
+  // What the page shows of the paper is judged, none of it on other speeds or radii.
+  EXPECT_EQ(number("SELECT count(*) FROM claims WHERE verdict = 'not run'"), 0);
+}
+
+}  // namespace
+}  // namespace mpmstudy
