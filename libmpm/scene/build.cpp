@@ -78,7 +78,8 @@ State build_state(const Scene& s) {
   const auto velocity = [&](const Vec2& x) { return velocity_at(s, x, l.center.y() + x.y()); };
   fill_rows(state, {region_of(s), velocity, l.center}, s.material.reference_density, side, l.empty_rows,
             l.rows);
-  if (s.material.kinematic_fraction > 0) state.particles.back_stress.resize(state.particles.size());
+  if (std::isfinite(s.material.yield_stress) && s.material.kinematic_fraction > 0)
+    state.particles.back_stress.resize(state.particles.size());
   return state;
 }
 

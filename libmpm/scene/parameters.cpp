@@ -69,8 +69,8 @@ const Quantity quantity_table[] = {
      P, positive, required, "", shell, FIELD(inner_speed)},
     {"end_time", "s", "end_time_s", "time at which a run ends",
      P, positive, required, "", every, FIELD(end_time)},
-    {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress",
-     P, non_negative, optional, "", every, FIELD(material.yield_stress)},
+    {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress; infinite: elastic",
+     P, Range::non_negative_or_infinite, optional, "", every, FIELD(material.yield_stress)},
 
     {"reference_density", "kg/m3", "reference_density_kg_m3", "density at rest",
      M, positive, optional, "", every, FIELD(material.reference_density)},

@@ -237,6 +237,8 @@ INSERT INTO bracket SELECT study_id, position, 'impact_speed', 'm/s', lower_m_s,
   wall_thickness_m
 FROM critical_speed_bracket;
 DROP TABLE critical_speed_bracket;
+ALTER TABLE job ADD COLUMN former_key TEXT;  -- while a parameter without an effect was part of its key
+CREATE INDEX job_by_former_key ON job (former_key) WHERE former_key IS NOT NULL;
 )sql";
 
 constexpr std::string_view jobs_before = R"sql(
@@ -369,7 +371,13 @@ std::vector<ParameterColumn> parameter_columns() {
 }  // namespace
 
 CatalogSchema current_catalog_schema() {
-  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}, {5, version_5}, {6, version_6}, {7, version_7}},
+  return {{{1, version_1},
+           {2, version_2},
+           {3, version_3},
+           {4, version_4},
+           {5, version_5},
+           {6, version_6},
+           {7, version_7}},
           parameter_columns()};
 }
 

@@ -50,6 +50,12 @@ TEST_F(Verbs, explain_says_which_parameter_is_new_and_where_it_is_said) {
   EXPECT_THAT(output, ContainsRegex("impact_speed = 300 m/s .*kill.toml:8:"));
 }
 
+TEST_F(Verbs, explain_says_where_snapshots_come_from) {
+  ASSERT_EQ(verb({"run", study, "-q", "--set", "snapshots=[\"1 ns\"]", "--set", "name=other"}), 0) << output;
+  ASSERT_EQ(verb({"explain", text("SELECT key FROM jobs WHERE study = 'other' LIMIT 1")}), 0) << output;
+  EXPECT_THAT(output, ContainsRegex("snapshots = 1 times \\(there [0-9]+ times\\)  --set\n"));
+}
+
 TEST_F(Verbs, explain_knows_what_scaled_the_cells) {
   ASSERT_EQ(verb({"run", study, "-q", "--cells", "1.5", "--set", "name=coarse"}), 0) << output;
   EXPECT_EQ(
