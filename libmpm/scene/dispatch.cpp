@@ -46,7 +46,8 @@ std::unique_ptr<Stepper> reference_stepper(const Scene& s) {
 std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
   const fast::Variant variant{.gimp = s.numerics.scheme == ShapeFunction::gimp,
                               .plastic = std::isfinite(s.material.yield_stress),
-                              .back_stress = s.material.kinematic_fraction > 0,
+                              .back_stress = std::isfinite(s.material.yield_stress) &&  // only with `plastic`
+                                             s.material.kinematic_fraction > 0,
                               .linear_tension = s.material.tension == Tension::linear};
   if (s.numerics.precision == Precision::single_precision)
     return std::make_unique<fast::FastStepper<float>>(build_material(s), variant);

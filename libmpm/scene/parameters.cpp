@@ -28,8 +28,8 @@ constexpr bool derived = true;
 constexpr Quantity common_quantities[] = {
     {"end_time", "s", "end_time_s", "time at which a run ends",
      P, positive, required, "", FIELD(end_time)},
-    {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress",
-     P, non_negative, optional, "", FIELD(material.yield_stress)},
+    {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress; infinite: elastic",
+     P, Range::non_negative_or_infinite, optional, "", FIELD(material.yield_stress)},
 
     {"reference_density", "kg/m3", "reference_density_kg_m3", "density at rest",
      M, positive, optional, "", FIELD(material.reference_density)},

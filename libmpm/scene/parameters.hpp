@@ -18,6 +18,7 @@ enum class Section { parameters, material, numerics, measure };
 enum class Range {
   positive,
   non_negative,
+  non_negative_or_infinite,
   count,  ///< a positive whole number
   any
 };

@@ -15,13 +15,12 @@ void check_ranges(const Scene& s, Report& report, const Wanted& wanted) {
   for (const Quantity& q : quantities()) {
     if (!wanted(q) || !q.alternative.empty()) continue;
     const double v = q.get(s);
-    // an infinite yield stress is an elastic body
-    const bool finite = std::isfinite(v) || (q.name == "yield_stress" && v > 0);
-    if (!finite)
+    const bool may_be_infinite = q.range == Range::non_negative_or_infinite;
+    if (!std::isfinite(v) && !(may_be_infinite && v > 0))
       report.add(q.name, "a finite number");
     else if (q.range == Range::positive)
       report.require(v > 0, q.name, "more than 0");
-    else if (q.range == Range::non_negative)
+    else if (q.range == Range::non_negative || may_be_infinite)
       report.require(v >= 0, q.name, "0 or more");
   }
 }

@@ -66,6 +66,10 @@ std::int64_t Store::sweep_files() {
   SQLite::Statement rows(*impl_->db, "SELECT key, status = 'planned' FROM job WHERE status <> 'cancelled'");
   while (rows.executeStep())
     (rows.getColumn(1).getInt() == 1 ? planned : kept).insert(rows.getColumn(0).getString());
+  // Files of a job whose key has changed stay where they are.
+  SQLite::Statement former(*impl_->db,
+                           "SELECT former_key FROM job WHERE former_key IS NOT NULL AND status = 'done'");
+  while (former.executeStep()) kept.insert(former.getColumn(0).getString());
   std::int64_t swept = 0;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(impl_->results / "fields", error)) {

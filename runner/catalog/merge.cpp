@@ -64,6 +64,15 @@ void take_files(const fs::path& from, const fs::path& to) {
   sync_to_disk(to.parent_path());
 }
 
+/// A job whose key has changed keeps its files where they were.
+std::string folder_of_files(SQLite::Database& db, const fs::path& folder, std::int64_t job,
+                            const std::string& key) {
+  if (fs::exists(folder / "fields" / key)) return key;
+  SQLite::Statement former(db, "SELECT coalesce(former_key, key) FROM shard.job WHERE id = ?");
+  former.bind(1, job);
+  return former.executeStep() ? former.getColumn(0).getString() : key;
+}
+
 struct ShardJob {
   std::int64_t id;
   std::string key;
@@ -159,7 +168,8 @@ void Store::Impl::merge_job(std::int64_t theirs, const std::string& key, JobStat
   const std::int64_t attempt = (ours ? ours->attempt : 0) + 1;
   execute(update, runner, attempt, theirs, id);
   for (const char* table : {"metric", "area_sample", "snapshot"}) copy_rows(*db, table, theirs, id);
-  take_files(folder / "fields" / key, results / "fields" / key);
+  const std::string files = folder_of_files(*db, folder, theirs, key);
+  take_files(folder / "fields" / files, results / "fields" / files);
   record(id, ours ? std::optional(ours->status) : std::nullopt, status, attempt,
          "merged from " + folder.string());
   ++report.merged;

@@ -30,6 +30,19 @@ std::int64_t Store::Impl::add_job(const Job& job) {
   return id;
 }
 
+std::optional<Store::Impl::Row> Store::Impl::find(const Job& job) {
+  if (auto row = find(job.key)) return row;
+  const std::string former = former_key(job.scene);
+  if (former == job.key) return std::nullopt;
+  const auto row = find(former);
+  if (!row || row->status == JobStatus::running) return row;  // its process knows it by that key
+  SQLite::Statement rename(*db, "UPDATE job SET key = ?, former_key = ? WHERE id = ?");
+  execute(rename, job.key, former, row->id);
+  record(row->id, row->status, row->status, row->attempt,
+         "its key was " + former + " while a parameter without an effect was part of it");
+  return row;
+}
+
 /// running -> planned. The job may be what its process died of: that is counted.
 void Store::Impl::take_from(std::int64_t job, std::int64_t attempt, const std::string& who) {
   execute(plan_again, job);
@@ -159,7 +172,7 @@ Registration Store::register_study(const std::string& name, const std::string& t
       rows.push_back(members[i].second);
       continue;
     }
-    const auto row = impl_->find(jobs[i].key);
+    const auto row = impl_->find(jobs[i]);
     rows.push_back(row ? *row : Impl::Row{.id = impl_->add_job(jobs[i])});
     const auto& rung_of = jobs[i].rung_of;
     execute(impl_->insert_member, study, rows.back().id, rung_of ? *rung_of : position++, rung_of ? 1 : 0);
@@ -199,7 +212,7 @@ Registration Store::register_study(const std::string& name, const std::string& t
 
 JobStatus Store::add_finer(const std::string& study, const Job& rung, bool retry_failed) {
   const auto id = impl_->study_id(study);
-  const auto row = impl_->find(rung.key);
+  const auto row = impl_->find(rung);
   const auto job = row ? row->id : impl_->add_job(rung);
   auto status = row ? row->status : JobStatus::planned;
   if (status == JobStatus::cancelled || (status == JobStatus::failed && retry_failed)) {

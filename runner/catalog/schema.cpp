@@ -240,6 +240,8 @@ DROP TABLE critical_speed_bracket;
 ALTER TABLE fit ADD COLUMN reduced_chi2 REAL;  -- weighted squares of the residuals per degree of freedom; null: no weights
 ALTER TABLE fit ADD COLUMN points INTEGER;     -- through how many it goes
 ALTER TABLE fit ADD COLUMN family TEXT NOT NULL DEFAULT '{}';  -- JSON object: column of jobs -> value of what else is swept
+ALTER TABLE job ADD COLUMN former_key TEXT;  -- while a parameter without an effect was part of its key
+CREATE INDEX job_by_former_key ON job (former_key) WHERE former_key IS NOT NULL;
 )sql";
 
 constexpr std::string_view jobs_before = R"sql(

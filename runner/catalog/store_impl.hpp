@@ -124,6 +124,8 @@ struct Store::Impl {
   }
 
   // registration.cpp
+  /// The row of a job. One that was filed under the job's former key gets the new one.
+  std::optional<Row> find(const Job&);
   std::int64_t add_job(const Job&);
   /// Plans again what processes that are gone have left running. Gives back the ids of these jobs.
   std::set<std::int64_t> take_up();

@@ -43,7 +43,7 @@ std::string select_sql() {
   for (const auto& q : mpm::quantities()) sql += ", j.\"" + std::string(q.column) + "\"";
   for (const auto& c : mpm::choices()) sql += ", j.\"" + std::string(c.column) + "\"";
   return sql +
-         " FROM job j WHERE j.key >= ?1 AND j.key < ?2 "
+         " FROM job j WHERE ((j.key >= ?1 AND j.key < ?2) OR (j.former_key >= ?1 AND j.former_key < ?2)) "
          "AND (?3 = '' OR j.status = ?3) ORDER BY j.id";
 }
 

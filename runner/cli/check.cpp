@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <memory>
 
-#include "runner/plan/plan.hpp"
+#include "runner/cli/ask.hpp"
+#include "runner/plan/warnings.hpp"
+#include "runner/status/label.hpp"
 
 namespace mpmstudy {
 
@@ -21,8 +23,14 @@ void setup_check(CLI::App& app) {
 int run_check(const CheckOptions& options) {
   int result = exit_ok;
   for (const std::string& file : options.files) try {
-      const Plan plan = make_plan(read_study(file, options.study));
-      fmt::print("ok: {}, {} job{}\n", plan.study, plan.jobs.size(), plan.jobs.size() == 1 ? "" : "s");
+      const Study study = read_study(file, options.study);
+      const Plan plan = make_plan(study);
+      const auto jobs = first_jobs(plan);
+      print_warnings(warnings_of(study, plan));
+      fmt::print("ok: {}, {}, about {} of memory each and {:.2g} CPU-hours{}\n", plan.study,
+                 counted(static_cast<std::int64_t>(plan.jobs.size()), "job"),
+                 readable_bytes(demand_of(jobs, 1).bytes), cpu_seconds(jobs) / 3600,
+                 study.search ? " for the lower end of its search" : "");
     } catch (const StudyError& error) {
       fmt::print(stderr, "{}\n", error.what());
       result = exit_usage;

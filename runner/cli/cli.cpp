@@ -1,9 +1,23 @@
 #include "runner/cli/cli.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <limits>
 
 namespace mpmstudy {
+namespace {
+
+/// CLI11's own check prints the largest double with its 309 digits.
+CLI::Validator positive_factor() {
+  return {[](std::string& text) {
+            double factor = 0;
+            const bool good = CLI::detail::lexical_cast(text, factor) && factor > 0 && std::isfinite(factor);
+            return good ? std::string() : "a factor is a number above 0, such as 0.5; not " + text;
+          },
+          ""};
+}
+
+}  // namespace
 
 void add_study_options(CLI::App& verb, StudyOptions& options) {
   verb.add_option("--set", options.set,
@@ -12,9 +26,10 @@ void add_study_options(CLI::App& verb, StudyOptions& options) {
       ->allow_extra_args(false);
   verb.add_option("--cells", options.cells, "Every cell_size of the files times this: --cells 0.5 is finer")
       ->type_name("FACTOR")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_factor())
       ->each([&options](const std::string&) { options.cells_told = true; });
-  verb.add_flag("--yes", options.yes, "Allow a study of more than a million jobs");
+  verb.add_flag("--yes", options.yes,
+                "Allow more than a million jobs, more memory than is free, and more than 12 hours");
 }
 
 Study read_study(const std::string& path, const StudyOptions& options) {

@@ -4,14 +4,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/connection.hpp"
+#include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/cli/last_run.hpp"
+#include "runner/cli/ask.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/exec/processors.hpp"
-#include "runner/plan/plan.hpp"
+#include "runner/plan/warnings.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/readable.hpp"
@@ -58,6 +65,12 @@ double longest_job(const std::vector<Job>& jobs) {
   double longest = 0;
   for (const Job& job : jobs) longest = std::max(longest, job.predicted_seconds);
   return longest;
+}
+
+double largest_job(const std::vector<Job>& jobs) {
+  double largest = 0;
+  for (const Job& job : jobs) largest = std::max(largest, predicted_bytes(job.scene, job.estimate));
+  return largest;
 }
 
 void print_table(const std::vector<std::vector<std::string>>& rows) {
@@ -160,7 +173,28 @@ SearchCost search_cost(const Study& study, const CostModel& cost, int workers) {
   return search;
 }
 
-void print_text(const Study& study, const Plan& plan, int workers) {
+/// Statuses of all jobs of the catalog, if there is one: key -> status.
+std::map<std::string, std::string> known_jobs(const std::string& results) {
+  std::map<std::string, std::string> known;
+  if (std::filesystem::exists(catalog_path(results))) try {
+      for (const auto& row : query(results, "SELECT DISTINCT key, status FROM jobs").rows)
+        known[std::get<std::string>(row[0])] = std::get<std::string>(row[1]);
+    } catch (const CatalogError&) {  // nothing is known
+    }
+  return known;
+}
+
+/// How many jobs the catalog has as done; those that it has under a former key count.
+std::size_t count_done(const std::vector<Job>& jobs, const std::map<std::string, std::string>& known) {
+  const auto done = [&](const std::string& key) {
+    const auto found = known.find(key);
+    return found != known.end() && found->second == "done";
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(
+      jobs, [&](const Job& job) { return done(job.key) || done(former_key(job.scene)); }));
+}
+
+void print_text(const Study& study, const Plan& plan, int workers, const std::string& results) {
   std::vector<std::vector<std::string>> rows = {{"job"}};
   rows[0].insert(rows[0].end(), study.swept.begin(), study.swept.end());
   rows[0].insert(rows[0].end(), {"particles", "steps", "predicted"});
@@ -185,6 +219,11 @@ void print_text(const Study& study, const Plan& plan, int workers) {
              same == 0 ? "" : fmt::format(" ({} more are the same as one of these)", same), coarser,
              readable_cost(total_cost(plan.cost, first)), duration(longest_job(first)),
              duration(wall_seconds(first, workers)), workers, source_of(plan.cost));
+  const Demand demand = demand_of(first, workers);
+  fmt::print("About {} of memory on -j {}, the largest job {}\n", readable_bytes(demand.bytes), workers,
+             readable_bytes(largest_job(first)));
+  if (const auto known = known_jobs(results); !known.empty())
+    fmt::print("{} of {} done already in {}\n", count_done(first, known), first.size(), results);
   if (all.size() > first.size())
     fmt::print("At most, if no ladder ends early: {} jobs, {}, {} on -j {}\n", all.size(),
                readable_cost(total_cost(plan.cost, all)), duration(wall_seconds(all, workers)), workers);
@@ -199,11 +238,14 @@ void print_text(const Study& study, const Plan& plan, int workers) {
   print_defaults(study, plan);
 }
 
-Json to_json(const Study& study, const Plan& plan, int workers) {
+Json to_json(const Study& study, const Plan& plan, int workers, const std::string& results) {
   const auto one = [&](const Job& job) {
     Json parameters;
     for (const mpm::Quantity& row : mpm::quantities())
-      if (row.belongs_to(study.kind)) parameters[std::string(row.column)] = row.get(job.scene);
+      if (row.belongs_to(study.kind)) {
+        const double value = row.get(job.scene);  // JSON has no infinite numbers
+        parameters[std::string(row.column)] = std::isinf(value) ? Json("infinite") : Json(value);
+      }
     for (const mpm::Choice& row : mpm::choices())
       if (row.belongs_to(study.kind)) parameters[std::string(row.column)] = row.allowed[row.get(job.scene)];
     parameters["snapshots_s"] = job.scene.measures.snapshots;
@@ -211,7 +253,8 @@ Json to_json(const Study& study, const Plan& plan, int workers) {
                 {"parameters", std::move(parameters)},
                 {"particles", job.estimate.particles},
                 {"steps", job.estimate.steps},
-                {"predicted_seconds", job.predicted_seconds}};
+                {"predicted_seconds", job.predicted_seconds},
+                {"predicted_bytes", predicted_bytes(job.scene, job.estimate)}};
   };
   Json jobs = Json::array(), ladders = Json::array();
   for (const Job& job : plan.jobs) jobs.push_back(one(job));
@@ -243,6 +286,9 @@ Json to_json(const Study& study, const Plan& plan, int workers) {
           {"workers", workers},
           {"wall_seconds", wall_seconds(first, workers)},
           {"search", std::move(search)},
+          {"memory_bytes", demand_of(first, workers).bytes},
+          {"done_already", count_done(first, known_jobs(results))},
+          {"warnings", warnings_of(study, plan)},
           {"learnt_from_jobs", plan.cost.learnt_from()}};
 }
 
@@ -266,9 +312,9 @@ int run_plan(const PlanOptions& options) {
   say_last_form(study, options.study, options.results);
   const Plan plan = make_plan(study, CostModel(measured_costs(options.results)));
   if (options.json)
-    fmt::print("{}\n", to_json(study, plan, workers).dump(2));
+    fmt::print("{}\n", to_json(study, plan, workers, options.results).dump(2));
   else
-    print_text(study, plan, workers);
+    print_warnings(warnings_of(study, plan)), print_text(study, plan, workers, options.results);
   return exit_ok;
 }
 

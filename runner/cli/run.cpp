@@ -20,16 +20,20 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
+#include "runner/catalog/stored_jobs.hpp"
 #include "runner/cli/amounts.hpp"
+#include "runner/cli/ask.hpp"
 #include "runner/cli/job_labels.hpp"
-#include "runner/cli/print_results.hpp"
 #include "runner/cli/last_run.hpp"
+#include "runner/cli/print_results.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/cli/run_slurm.hpp"
 #include "runner/exec/git_revision.hpp"
+#include "runner/exec/processors.hpp"
 #include "runner/exec/run_search.hpp"
 #include "runner/exec/run_studies.hpp"
 #include "runner/exec/signals.hpp"
+#include "runner/plan/warnings.hpp"
 #include "runner/status/label.hpp"
 #include "runner/status/rounds.hpp"
 #include "runner/status/terminal_status.hpp"
@@ -216,6 +220,50 @@ int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
   return code;
 }
 
+/// A study of this name that another file has registered, and that is still there: its jobs will leave it.
+void warn_of_other_files(const RunOptions& options, const std::vector<Study>& studies) {
+  for (const StoredStudy& known : read_studies(options.results))
+    for (const Study& study : studies) {
+      std::error_code none;
+      const std::filesystem::path& other = known.source.path;
+      if (study.name != known.name || other.empty() || !std::filesystem::exists(other, none) ||
+          std::filesystem::equivalent(study.path, other, none))
+        continue;
+      print_warnings(
+          {fmt::format("{}: study \"{}\" was last run from {}: this file takes its place, and jobs that only "
+                       "the other one "
+                       "has leave the study; --set name=... keeps both",
+                       study.path.string(), study.name, other.string())});
+    }
+}
+
+/// Says what the studies should know, and asks where they take more than this machine has. A search counts
+/// with its points at their lower end. Who gives keys (--only) has decided already.
+void warn_and_ask(const RunOptions& options, const std::vector<Study>& studies,
+                  const std::vector<PlannedStudy>& planned, const CostModel& cost) {
+  std::set<std::string> done;
+  if (std::filesystem::exists(catalog_path(options.results))) try {
+      for (const auto& row :
+           query(options.results, "SELECT DISTINCT key FROM jobs WHERE status = 'done'").rows)
+        done.insert(std::get<std::string>(row[0]));
+      warn_of_other_files(options, studies);
+    } catch (const CatalogError&) {  // of an older program, or damaged: opening it to write sees to that
+    }
+  std::vector<Job> left;
+  std::set<std::string> seen;
+  auto next = planned.begin();
+  for (const Study& study : studies) {
+    const Plan plan = study.search ? make_plan(study, cost) : next->plan;
+    if (!study.search) ++next;
+    print_warnings(warnings_of(study, plan));
+    for (const Job& job : first_jobs(plan))
+      if (!done.contains(job.key) && !done.contains(former_key(job.scene)) && seen.insert(job.key).second)
+        left.push_back(job);
+  }
+  if (options.study.yes || options.dry_run || left.empty()) return;
+  ask(too_much(demand_of(left, options.workers > 0 ? options.workers : usable_processors()), free_memory()));
+}
+
 /// Plans of the studies that are no search; with --only, of what a search may ask for too.
 std::vector<PlannedStudy> plan_studies(const RunOptions& options, const std::vector<Study>& studies,
                                        const CostModel& cost) {
@@ -297,6 +345,7 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   const auto planned = plan_studies(options, studies, cost);
   if (options.only.empty()) say_what_is_replaced(studies, planned, options);
   if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
+  if (options.only.empty()) warn_and_ask(options, studies, planned, cost);
   JobLabels labels(studies);
   add_labels(labels, studies, planned);
   if (options.dry_run) return print_intent(options, studies, planned, cost, labels);

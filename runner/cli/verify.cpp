@@ -52,7 +52,7 @@ std::vector<Job> chosen(const VerifyOptions& options) {
   std::ranges::sample(stored, std::back_inserter(some), options.jobs, random);
   std::vector<Job> jobs;
   for (auto& job : some) {
-    if (job_key(job.job.scene) != job.job.key)
+    if (job_key(job.job.scene) != job.job.key && former_key(job.job.scene) != job.job.key)
       throw CatalogError("job " + job.job.key + ": its parameters in the catalog do not make its key");
     jobs.push_back(std::move(job.job));
   }

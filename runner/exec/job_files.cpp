@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "runner/catalog/field_files.hpp"
 #include "runner/catalog/output_file.hpp"
 
@@ -53,6 +56,16 @@ void JobFiles::add(const mpm::Snapshot& snapshot) {
   }
 }
 
+/// What ParaView opens as one series in time: file names beside this one, and their times [s].
+void JobFiles::write_series() const {
+  nlohmann::ordered_json series = {{"file-series-version", "1.0"}, {"files", nlohmann::json::array()}};
+  for (const SnapshotFile& file : files_)
+    series["files"].push_back({{"name", fs::path(file.path).filename().string()}, {"time", file.time}});
+  OutputFile file(results_ / folder_ / series_name);
+  file.stream() << series.dump(1) << "\n";
+  file.commit();
+}
+
 std::vector<SnapshotFile> JobFiles::close() {
   std::error_code ignored;  // a checkpoint that stays is never looked at again
   fs::remove(results_ / folder_ / checkpoint_name, ignored);
@@ -61,6 +74,7 @@ std::vector<SnapshotFile> JobFiles::close() {
     return {};
   }
   try {
+    write_series();
     for (const auto& folder : {results_ / folder_, results_ / "fields", results_}) sync_to_disk(folder);
   } catch (const std::exception& error) {
     throw StorageError(error.what());
@@ -75,7 +89,10 @@ void JobFiles::discard() noexcept {
 }
 
 std::string snapshot_name(std::size_t index, double time) {
-  return fmt::format("{:03}_{:.3f}ns.vtkhdf", index, time * 1e9);
+  const double ns = time * 1e9;
+  const bool short_enough = std::abs(ns - std::round(ns * 1e3) * 1e-3) <= 1e-9 * ns;
+  return short_enough ? fmt::format("{:03}_{:.3f}ns.vtkhdf", index, ns)
+                      : fmt::format("{:03}_{:.9g}ns.vtkhdf", index, ns);
 }
 
 }  // namespace mpmstudy

@@ -13,6 +13,9 @@
 
 namespace mpmstudy {
 
+/// Beside the snapshots of a job that is done: opens them in ParaView as one series in time.
+inline constexpr const char* series_name = "snapshots.vtkhdf.series";
+
 /// Writes one snapshot to a path; the file that has its name afterwards is whole and synced
 /// (mpm::write_vtkhdf). Throws on failure.
 using WriteSnapshot = std::function<void(const std::filesystem::path&, const mpm::Snapshot&)>;
@@ -45,6 +48,7 @@ class JobFiles {
 
  private:
   void clear();
+  void write_series() const;
 
   std::filesystem::path results_, folder_;
   WriteSnapshot write_;
@@ -53,7 +57,8 @@ class JobFiles {
   bool kept_ = false;  ///< a checkpoint is on disk
 };
 
-/// "003_2.200ns.vtkhdf"
+/// "003_2.200ns.vtkhdf"; a time that is no whole number of picoseconds has as many digits as tell it from
+/// others.
 std::string snapshot_name(std::size_t index, double time);
 
 }  // namespace mpmstudy

@@ -3,29 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libmpm/measure/results.hpp"
 #include "runner/study/ladder.hpp"
 
 namespace mpmstudy {
 
 namespace {
-/// Of the initial area; may be close to nothing.
-bool is_collapse(const std::string& quantity) {
-  return quantity == "collapsibility" || quantity == "largest_collapsibility";
-}
-
 /// A measuring error that one more cell leaves above this share of itself is not made small by cells.
 constexpr double falls_with_the_cell = 0.9;
 }  // namespace
 
 analysis::Bounds bounds_of(const std::string& quantity) {
-  if (is_collapse(quantity)) return {.upper = 1};  // a torn cavity may be larger than it was
-  if (quantity.ends_with("_area_m2") || quantity.ends_with("_fraction") || quantity == "roundness")
-    return {.lower = 0};
-  return {};
+  const mpm::ResultRow* row = mpm::find_result(quantity);
+  return row ? analysis::Bounds{row->lower, row->upper} : analysis::Bounds{};
 }
 
 double accuracy_scale(const std::string& quantity, double value) {
-  return std::max(std::abs(value), is_collapse(quantity) ? 0.1 : 0.0);
+  const mpm::ResultRow* row = mpm::find_result(quantity);
+  return std::max(std::abs(value), row ? row->least_scale : 0.0);
 }
 
 double wanted_error(const LadderRequest& request, double value) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include "libmpm/scene/effect.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "libmpm/simulation.hpp"
 #include "runner/plan/plan.hpp"
@@ -17,19 +18,26 @@ void append_number(std::string& text, double value) {
   text.append(buffer, result.ptr);
 }
 
-}  // namespace
+/// The value of a row in a job's key: where it has no effect, the one that stands for all.
+template <class Row>
+double value_for_key(const Row& row, const mpm::Scene& scene, bool with_inert) {
+  const mpm::Condition* condition = mpm::condition_of(row.name);
+  if (condition && !with_inert && !condition->holds(scene)) return condition->inert(scene);
+  return static_cast<double>(row.get(scene));
+}
 
-std::string canonical_text(const mpm::Scene& scene, std::span<const mpm::Quantity> rows) {
+std::string text_of(const mpm::Scene& scene, bool with_inert, std::span<const mpm::Quantity> rows) {
   std::string text = "physics_version=" + std::to_string(mpm::physics_version) + "\n";
   text.append("scene=").append(mpm::to_string(scene.kind)).append("\n");
   for (const mpm::Quantity& row : rows) {
     if (row.derived || !row.belongs_to(scene.kind) || row.get(scene) == row.implied) continue;
     text.append(row.name).append("=");
-    append_number(text, row.get(scene));
+    append_number(text, value_for_key(row, scene, with_inert));
     text.append("\n");
   }
   for (const mpm::Choice& row : mpm::choices()) {
-    const std::string_view word = row.allowed[row.get(scene)];
+    const std::string_view word =
+        row.allowed[static_cast<std::size_t>(value_for_key(row, scene, with_inert))];
     if (!row.belongs_to(scene.kind) || word == row.implied) continue;
     text.append(row.name).append("=").append(word).append("\n");
   }
@@ -41,10 +49,21 @@ std::string canonical_text(const mpm::Scene& scene, std::span<const mpm::Quantit
   return text.append("\n");
 }
 
-std::string job_key(const mpm::Scene& scene) {
-  const std::string text = canonical_text(scene);
+std::string hash_of(const std::string& text) {
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
+
+}  // namespace
+
+std::string canonical_text(const mpm::Scene& scene, std::span<const mpm::Quantity> rows) {
+  return text_of(scene, false, rows);
+}
+
+std::string scene_text(const mpm::Scene& scene) { return text_of(scene, true, mpm::quantities()); }
+
+std::string job_key(const mpm::Scene& scene) { return hash_of(canonical_text(scene)); }
+
+std::string former_key(const mpm::Scene& scene) { return hash_of(scene_text(scene)); }
 
 }  // namespace mpmstudy

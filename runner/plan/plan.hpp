@@ -15,11 +15,17 @@ namespace mpmstudy {
 
 /// Canonical text of everything that decides a result: one "name=value" line per parameter of the scene's
 /// kind, numbers as hexadecimal floats, in the order of libmpm/scene/parameters.hpp, and the physics version.
-/// Rows whose value is the implied one are left out.
+/// Rows whose value is the implied one are left out. A parameter without an effect in this scene
+/// (libmpm/scene/effect.hpp) has the same value in all of them.
 std::string canonical_text(const mpm::Scene&, std::span<const mpm::Quantity> = mpm::quantities());
+/// The same with every parameter as the scene has it: equal for equal scenes only.
+std::string scene_text(const mpm::Scene&);
 
 /// 32 hexadecimal digits: XXH3-128 of canonical_text. Same key, same result.
 std::string job_key(const mpm::Scene&);
+
+/// The key that programs gave the scene while parameters without an effect were part of it. Mostly the same.
+std::string former_key(const mpm::Scene&);
 
 struct Job {
   std::string key;

@@ -70,7 +70,7 @@ LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> k
     problems.add("accuracy_of", of->value, {"there is no accuracy", "add accuracy = \"1 %\", or remove it"});
   } else if (of) {
     const std::string* name = of->value.string();
-    const auto names = results_with_interval();
+    const auto names = results_with_interval(kind);
     if (!name || std::find(names.begin(), names.end(), *name) == names.end())
       problems.add("accuracy_of", of->value, unknown_word(name ? *name : "", "result", names));
     else

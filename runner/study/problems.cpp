@@ -3,16 +3,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "runner/study/characters.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
 
 void Problems::add(const Place& place, std::string_view key, std::string_view value, const Refusal& refusal) {
-  keep(place, std::string(key) + " = " + std::string(value) + ": " + refusal.wrong + "; " + refusal.allowed);
+  std::string odd = odd_character(value);
+  if (odd.empty()) odd = odd_character(key);
+  keep(place, std::string(key) + " = " + std::string(value) + ": " + refusal.wrong +
+                  (odd.empty() ? "" : " (it " + odd + ")") + "; " + refusal.allowed);
 }
 
 void Problems::add(const Place& place, std::string_view key, const Refusal& refusal) {
-  keep(place, std::string(key) + ": " + refusal.wrong + "; " + refusal.allowed);
+  const std::string odd = odd_character(key);
+  keep(place, std::string(key) + ": " + refusal.wrong + (odd.empty() ? "" : " (it " + odd + ")") + "; " +
+                  refusal.allowed);
 }
 
 void Problems::keep(const Place& place, std::string text) {

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace mpmstudy {
 namespace {
@@ -12,11 +13,18 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+constexpr std::string_view infinite = "infinite";
+
+bool may_be_infinite(const Expected& expected) {
+  return expected.range == mpm::Range::non_negative_or_infinite;
+}
+
 std::string_view adjective(mpm::Range range) {
   switch (range) {
     case mpm::Range::positive:
       return "positive ";
     case mpm::Range::non_negative:
+    case mpm::Range::non_negative_or_infinite:
       return "non-negative ";
     case mpm::Range::count:
       return "positive whole ";
@@ -52,7 +60,8 @@ std::string allowed_quantity(const Expected& expected) {
   const std::string number = "a " + std::string(adjective(expected.range)) + "number";
   if (expected.unit == "1") return number;
   return number + " with a unit that converts to " + std::string(expected.unit) + ", such as \"" +
-         example(expected.unit) + "\"";
+         example(expected.unit) + "\"" +
+         (may_be_infinite(expected) ? ", or \"" + std::string(infinite) + "\"" : "");
 }
 
 Number in_range(double si, const Expected& expected) {
@@ -60,7 +69,8 @@ Number in_range(double si, const Expected& expected) {
   if (!std::isfinite(si)) return refuse("not a finite number", expected);
   if (expected.range == mpm::Range::positive && !(si > 0))
     return refuse(si == 0 ? "zero" : "negative", expected);
-  if (expected.range == mpm::Range::non_negative && si < 0) return refuse("negative", expected);
+  if ((expected.range == mpm::Range::non_negative || may_be_infinite(expected)) && si < 0)
+    return refuse("negative", expected);
   if (expected.range == mpm::Range::count && (si < 1 || si > largest_count || si != std::floor(si)))
     return refuse("not a count", expected);
   return si + 0.0;  // -0 is 0
@@ -83,6 +93,7 @@ Number read_quantity(const Value& value, const Expected& expected, const Units& 
   if (!written) return refuse("not a quantity", expected);
 
   const std::string_view text = trimmed(*written);
+  if (may_be_infinite(expected) && text == infinite) return std::numeric_limits<double>::infinity();
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
   double number = 0;

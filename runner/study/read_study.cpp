@@ -187,6 +187,8 @@ class Reader {
     if (study_.ladder.finds_cell) said_.emplace_back("cell_size");
     request_.ladder = study_.ladder;
     const Table* numerics = table("numerics");
+    if (study_.ladder.finds_cell && options_.cells != 1)
+      study_.warnings.push_back(top_.text() + ": --cells has no effect: the file gives no cell_size");
     for (const char* key : {"ladder", "accuracy"})
       if (const Entry* entry = numerics ? numerics->find(key) : nullptr) {
         request_.ladder_place = entry->place;
@@ -196,11 +198,16 @@ class Reader {
 
   void read_requests() {
     study_.search = read_search(document_, kind_, units_, problems_);
-    const RequestContext context{kind_, fixed_, study_.ladder.cells,
+    if (study_.search) place_search();
+    const RequestContext context{kind_,
+                                 fixed_,
+                                 said_,
+                                 study_.ladder.cells,
+                                 may_decide_ejection(),
+                                 !request_.snapshots.empty(),
                                  study_.search ? study_.search->critical : ""};
     study_.fits = read_fits(document_, context, problems_);
     study_.figures = read_figures(document_, context, problems_);
-    if (study_.search) place_search();
     study_.expectation = read_expectation(document_, units_, problems_);
   }
 
@@ -243,6 +250,32 @@ class Reader {
     axis.points = {{study_.search->lower, axis.place}};
     request_.axes.push_back(std::move(axis));
     said_.push_back(name);
+    refuse_other_outcomes(search);
+  }
+
+  /// Jobs that decide collapse never have the outcome "ejected", and the other way round.
+  void refuse_other_outcomes(const Table& search) {
+    if (!kind_ || !mpm::has_cavity(*kind_)) return;
+    for (const Axis& axis : request_.axes) {
+      if (axis.name() != "decides") continue;
+      for (const Point& point : axis.points)
+        if ((point.value == static_cast<double>(mpm::Decides::ejection)) != request_.seeks_ejection)
+          problems_.add("outcome", search.find("outcome")->value,
+                        {"no run that decides " +
+                             std::string(axis.choice->allowed[static_cast<std::size_t>(point.value)]) +
+                             " has this outcome",
+                         "remove decides from [measure], or look for another outcome"});
+    }
+  }
+
+  /// Some jobs of the study may decide ejection: the file says so, or its search is for it.
+  bool may_decide_ejection() const {
+    for (const Axis& axis : request_.axes)
+      if (axis.name() == "decides")
+        return std::ranges::any_of(axis.points, [](const Point& point) {
+          return point.value == static_cast<double>(mpm::Decides::ejection);
+        });
+    return request_.seeks_ejection;
   }
 
   bool says(std::string_view name) const {

@@ -10,7 +10,8 @@ namespace mpmstudy {
 std::string readable(double value, std::string_view unit) {
   constexpr std::string_view prefixed[] = {"m", "s", "Pa"};
   constexpr std::string_view prefixes[] = {"f", "p", "n", "u", "m", "", "k", "M", "G", "T"};
-  constexpr int none = 5;  // index of ""
+  constexpr int none = 5;                                              // index of ""
+  if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";  // as study files write it
   if (unit == "1") return fmt::format("{:.6g}", value);
   if (std::find(std::begin(prefixed), std::end(prefixed), unit) == std::end(prefixed) || value == 0 ||
       !std::isfinite(value))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "libmpm/measure/results.hpp"
 #include "runner/study/critical_names.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/quantity_text.hpp"
@@ -20,64 +21,17 @@ constexpr std::array<std::string_view, 4> figure_kinds = {"history", "xy", "fiel
 /// The first ones give an interval, and finer ones what it is held against.
 constexpr int cells_of_calibration = first_cells + 1;
 constexpr std::array<std::string_view, 3> expected_outcomes = {"holds", "breaks", "refused"};
-constexpr std::array<std::string_view, 4> outcomes = {"collapsed", "partial", "ejected", "arrested"};
+/// Kinds of figure that a kind of scene can fill: a history is that of the cavity's area.
+std::vector<std::string_view> figure_kinds_of(std::optional<mpm::SceneKind> kind) {
+  std::vector<std::string_view> kinds(figure_kinds.begin(), figure_kinds.end());
+  if (kind && !mpm::has_cavity(*kind)) std::erase(kinds, "history");
+  return kinds;
+}
 
-/// Numbers of the catalog's view `jobs`, and what libmpm/measure/ writes as metrics; the test of this list
-/// runs scenes and looks for their metrics here and in runner/catalog/README.md.
-constexpr std::string_view results[] = {"collapsibility",
-                                        "final_area_m2",
-                                        "initial_area_m2",
-                                        "energy_error",
-                                        "particles",
-                                        "steps",
-                                        "wall_s",
-                                        "cpu_s",
-                                        "momentum_error",
-                                        "transfer_heat_fraction",
-                                        "final_kinetic_fraction",
-                                        "overpressed_mass_fraction",
-                                        "overstrained_mass_fraction",
-                                        "smallest_density_ratio",
-                                        "largest_density_ratio",
-                                        "largest_cfl",
-                                        "aspect_ratio",
-                                        "lower_upper_area_ratio",
-                                        "centroid_shift_m",
-                                        "final_void_area_m2",
-                                        "final_area_scatter_m2",
-                                        "final_area_difference_m2",
-                                        "largest_collapsibility",
-                                        "cavity_closed_time_s",
-                                        "cavity_joined_outside_time_s",
-                                        "contour_crossed_time_s",
-                                        "topology_changed_time_s",
-                                        "area_difference_m2",
-                                        "new_cavities",
-                                        "new_cavities_time_s",
-                                        "cavities_at_end",
-                                        "jet_speed_m_s",
-                                        "jet_lead_m",
-                                        "jet_impact_time_s",
-                                        "jet_overtake_time_s",
-                                        "ejected_mass_kg_m",
-                                        "ejecta_speed_m_s",
-                                        "decision_time_s",
-                                        "decision_margin",
-                                        "hot_spot_work_J_m3",
-                                        "hot_spot_temperature_K",
-                                        "hot_spot_x_m",
-                                        "hot_spot_y_m",
-                                        "shock_normal_stress_Pa",
-                                        "shock_pressure_Pa",
-                                        "shock_von_mises_Pa",
-                                        "plateau_noise",
-                                        "plastic_wave_speed_m_s",
-                                        "elastic_wave_speed_m_s",
-                                        "elastic_limit_stress_Pa",
-                                        "free_surface_speed_m_s",
-                                        "stop_radius_m",
-                                        "stop_time_s",
-                                        "roundness"};
+std::vector<std::string_view> outcome_names(std::optional<mpm::SceneKind> kind) {
+  const auto of = mpm::outcomes_of(kind.value_or(mpm::SceneKind::cavity_impact));
+  return {of.begin(), of.end()};
+}
 
 /// Columns of mpm::Snapshot.
 constexpr std::string_view fields[] = {"velocity_x",   "velocity_y",
@@ -88,25 +42,6 @@ constexpr std::string_view fields[] = {"velocity_x",   "velocity_y",
                                        "plastic_work", "specific_internal_energy",
                                        "temperature"};
 
-/// Of these, what a run was given, what it cost, extremes of its health, and what is an error itself.
-constexpr std::string_view without_interval[] = {"initial_area_m2",
-                                                 "area_difference_m2",
-                                                 "particles",
-                                                 "steps",
-                                                 "wall_s",
-                                                 "cpu_s",
-                                                 "energy_error",
-                                                 "momentum_error",
-                                                 "overpressed_mass_fraction",
-                                                 "overstrained_mass_fraction",
-                                                 "smallest_density_ratio",
-                                                 "largest_density_ratio",
-                                                 "largest_cfl",
-                                                 "plateau_noise",
-                                                 "final_area_scatter_m2",
-                                                 "final_area_difference_m2"};
-
-std::span<const std::string_view> all_results() { return results; }
 std::span<const std::string_view> all_fields() { return fields; }
 
 /// One word out of a list, required.
@@ -119,6 +54,42 @@ std::string read_word(const Entry& parent, const Table& table, std::string_view 
     problems.add(key, table.find(key)->value, unknown_word(*text, what, words));
   return *text;
 }
+
+/// Results that jobs of this study can have.
+bool can_have(const mpm::ResultRow& row, const RequestContext& context) {
+  return (!context.kind || row.belongs_to(*context.kind)) &&
+         (row.needs != mpm::Needs::ejection || context.decides_ejection);
+}
+
+/// Why a result of the table is none of this study's, and what is.
+Refusal not_of_this_study(const mpm::ResultRow& row, const RequestContext& context,
+                          const std::vector<std::string_view>& own) {
+  if (context.kind && !row.belongs_to(*context.kind))
+    return {std::string(mpm::to_string(*context.kind)) + " has no such result", "allowed: " + listed(own)};
+  return {"no job of this study decides ejection",
+          "write decides = \"ejection\" in [measure], or take another result"};
+}
+
+/// y of a fit or a figure: a result that jobs of this study can have. `wanted`: which of them will do.
+template <class Wanted>
+std::string read_result(const Entry& parent, const Table& table, const RequestContext& context,
+                        Problems& problems, Wanted wanted) {
+  const auto name = required_string(table, parent.place, "y", "result", problems);
+  if (!name) return {};
+  std::vector<std::string_view> own;
+  for (const mpm::ResultRow& row : mpm::results())
+    if (wanted(row) && can_have(row, context)) own.push_back(row.name);
+  const mpm::ResultRow* row = mpm::find_result(*name);
+  const Value& value = table.find("y")->value;
+  if (!row || !wanted(*row))
+    problems.add("y", value, unknown_word(*name, "result", own));
+  else if (!can_have(*row, context))
+    problems.add("y", value, not_of_this_study(*row, context, own));
+  return *name;
+}
+
+bool any_result(const mpm::ResultRow&) { return true; }
+bool with_interval(const mpm::ResultRow& row) { return row.has_interval; }
 
 /// y of a fit or an xy figure: a result, or what the study's [search] finds.
 std::string read_y(const Entry& parent, const Table& table, const RequestContext& context,
@@ -134,7 +105,7 @@ std::string read_y(const Entry& parent, const Table& table, const RequestContext
           {"is not what [search] looks for", "allowed: " + listed(critical_names(context.critical))});
     return *name;
   }
-  return read_word(parent, table, "y", "result", all_results(), problems);
+  return read_result(parent, table, context, problems, any_result);
 }
 
 /// x of a fit or a figure: a quantity that the study varies.
@@ -150,6 +121,11 @@ std::string read_x(const Entry& parent, const Table& table, const RequestContext
     problems.add("x", value, unknown_word(*name, "quantity", names));
   else if (std::find(context.fixed.begin(), context.fixed.end(), *name) != context.fixed.end())
     problems.add("x", value, {"has one value in this study", "sweep it, or take a quantity that is swept"});
+  else if (!context.says(*name))
+    problems.add("x", value,
+                 {"is not in this study", "sweep it in [" +
+                                              std::string(table_name(mpm::find_quantity(*name)->section)) +
+                                              "], or take a quantity that is swept"});
   return *name;
 }
 
@@ -196,8 +172,10 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
     problems.add("between", entry->value, shape);
     return;
   }
-  const auto lower = read_bound("between", (*list)[0], row, row.range, units, problems);
-  const auto upper = read_bound("between", (*list)[1], row, row.range, units, problems);
+  const mpm::Range range =  // both ends are finite
+      row.range == mpm::Range::non_negative_or_infinite ? mpm::Range::non_negative : row.range;
+  const auto lower = read_bound("between", (*list)[0], row, range, units, problems);
+  const auto upper = read_bound("between", (*list)[1], row, range, units, problems);
   if (!lower || !upper) return;
   if (!(*lower < *upper)) problems.add("between", entry->value, shape);
   search.lower = *lower;
@@ -221,17 +199,21 @@ void check_steps(const Table& table, const mpm::Quantity& row, const SearchReque
 }  // namespace
 
 bool has_interval(std::string_view result) {
-  const auto among = [&](const auto& names) {
-    return std::find(std::begin(names), std::end(names), result) != std::end(names);
-  };
-  return among(results) && !among(without_interval);
+  const mpm::ResultRow* row = mpm::find_result(result);
+  return row && row->has_interval;
 }
 
-std::vector<std::string_view> results_with_interval() {
+std::vector<std::string_view> results_with_interval(std::optional<mpm::SceneKind> kind) {
   std::vector<std::string_view> names;
-  for (const std::string_view name : results)
-    if (has_interval(name)) names.push_back(name);
+  for (const mpm::ResultRow& row : mpm::results())
+    if (row.has_interval && (!kind || row.belongs_to(*kind))) names.push_back(row.name);
   return names;
+}
+
+bool RequestContext::says(std::string_view quantity) const {
+  const mpm::Quantity* row = mpm::find_quantity(quantity);
+  return std::ranges::any_of(
+      said, [&](const std::string& name) { return name == quantity || (row && name == row->alternative); });
 }
 
 bool is_file_name(std::string_view name) {
@@ -286,6 +268,13 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
     if (table.find("title"))
       figure.title = required_string(table, entry.place, "title", "a line of text", problems).value_or("");
     figure.kind = read_word(entry, table, "kind", "kind of figure", figure_kinds, problems);
+    if (figure.kind == "history" && context.kind && !mpm::has_cavity(*context.kind))
+      problems.add("kind", table.find("kind")->value,
+                   {std::string(mpm::to_string(*context.kind)) + " has no history of a cavity's area",
+                    "allowed: " + listed(figure_kinds_of(context.kind))});
+    if (figure.kind == "fields" && !context.has_snapshots)
+      problems.add("kind", table.find("kind")->value,
+                   {"there are no snapshots to draw", "write snapshots = [\"1 ns\"] in [measure]"});
     const auto refuse = [&](std::string_view key) {
       if (const Entry* extra = table.find(key))
         problems.add(key, extra->value,
@@ -299,7 +288,7 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
       figure.y = read_word(entry, table, "y", "field", all_fields(), problems);
     } else if (figure.kind == "calibration") {
       refuse("x");
-      figure.y = read_word(entry, table, "y", "result", results_with_interval(), problems);
+      figure.y = read_result(entry, table, context, problems, with_interval);
       if (!context.critical.empty())
         problems.add("kind", table.find("kind")->value,
                      {"is of single runs, and the study has a [search]", "remove the figure"});
@@ -325,7 +314,11 @@ std::optional<SearchRequest> read_search(const Table& document, std::optional<mp
   for (const mpm::Quantity& row : mpm::quantities())
     if (!kind || row.belongs_to(*kind)) names.push_back(row.name);
   search.critical = read_word(*entry, table, "critical", "quantity", names, problems);
-  search.outcome = read_word(*entry, table, "outcome", "outcome", outcomes, problems);
+  if (kind && mpm::outcomes_of(*kind).empty())
+    problems.add(entry->place, "search",
+                 {std::string(mpm::to_string(*kind)) + " has no outcome to look for", "remove [search]"});
+  else
+    search.outcome = read_word(*entry, table, "outcome", "outcome", outcome_names(kind), problems);
   const mpm::Quantity* row = mpm::find_quantity(search.critical);
   if (!row) return std::nullopt;
   read_between(*entry, table, *row, units, search, problems);

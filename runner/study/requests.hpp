@@ -11,13 +11,18 @@
 
 namespace mpmstudy {
 
-/// `kind`: empty if the scene is unknown. `fixed`: quantities that a fit or a figure may not use as x because
-/// the file gives them one value only.
+/// What the rest of the file decides about its requests.
 struct RequestContext {
-  std::optional<mpm::SceneKind> kind;
-  std::vector<std::string> fixed;
-  int cells = 1;         ///< of the study's ladders
+  std::optional<mpm::SceneKind> kind;  ///< empty: the scene is unknown
+  std::vector<std::string> fixed;      ///< quantities with one value in the file: no x of a fit or a figure
+  std::vector<std::string> said;       ///< quantities and choices that the file or --set has
+  int cells = 1;                       ///< of the study's ladders
+  bool decides_ejection = false;       ///< some jobs may
+  bool has_snapshots = false;
   std::string critical;  ///< what its [search] looks for; "": it has none
+
+  /// Whether the study has a quantity, by its own name or by the other one of the same degree of freedom.
+  bool says(std::string_view quantity) const;
 };
 
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);
@@ -27,10 +32,10 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Problems&);
 
-/// Whether a ladder of cells gives a result an interval: what is measured, apart from what is an error
-/// itself.
+/// Whether a ladder of cells gives a result an interval (libmpm/measure/results.hpp).
 bool has_interval(std::string_view result);
-std::vector<std::string_view> results_with_interval();
+/// Those of one job. With a kind: that this kind of scene has.
+std::vector<std::string_view> results_with_interval(std::optional<mpm::SceneKind>);
 
 /// Empty if there is no [expect], or after adding problems.
 std::optional<Expectation> read_expectation(const Table& document, const Units&, Problems&);

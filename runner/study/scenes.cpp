@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "libmpm/scene/effect.hpp"
 #include "runner/study/decimal.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/readable.hpp"
@@ -11,9 +12,6 @@ namespace {
 
 /// The period of the area history where a study says nothing, as a share of end_time.
 constexpr double default_area_samples = 320;
-
-/// How long a part must be off the body, where a study says nothing, as a share of end_time: 1 ns of 16 ns.
-constexpr double default_detached = 16;
 
 /// After so many jobs with problems the rest would tell a user nothing new.
 constexpr int most_bad_jobs = 20;
@@ -161,7 +159,7 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
     if (!names_kernel && !mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
     if (request.ladder.finds_cell) scene.numerics.cell_size = coarsest_cell(scene);
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
-    if (scene.measures.detached_for == 0) scene.measures.detached_for = scene.end_time / default_detached;
+    if (scene.measures.detached_for == 0) scene.measures.detached_for = mpm::default_detached_for(scene);
     bad_jobs += reporter.check(scene, job);
   }
   return scenes;

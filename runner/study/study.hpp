@@ -87,6 +87,7 @@ struct Study {
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;
   std::optional<Expectation> expectation;
+  std::vector<std::string> warnings;  ///< what the reader has seen that is no error, a line each
 };
 
 struct ReadOptions {

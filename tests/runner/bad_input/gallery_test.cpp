@@ -120,6 +120,16 @@ TEST(BadInput, CommandLines) {
       {"plan good.toml --set 'cavity_radius=[]'", "--set: cavity_radius = []: no values; "},
       {"check", "FILE is required"},
       {"plan good.toml -j 0", "--jobs: Value 0 not in range"},
+      {"check good.toml --cells 0", "--cells: a factor is a number above 0, such as 0.5; not 0"},
+      {"check good.toml --cells inf", "--cells: a factor is a number above 0"},
+      {"check good.toml --set impact_speed='200\u00a0m/s'",
+       "--set: impact_speed = \"200\u00a0m/s\": '\u00a0m/s' is not a unit (it holds U+00A0, a no-break "
+       "space); "},
+      {"check good.toml --set impact_speed='\u2212200 m/s'",
+       "--set: impact_speed = \"\u2212200 m/s\": not a number with a unit (it holds U+2212, a minus sign "
+       "other "},
+      {"check good.toml --set scene='cavity\u2011impact'",
+       "--set: scene = \"cavity\u2011impact\": no such scene (it holds U+2011, a dash); "},
       {"chekc good.toml", "The following arguments were not expected"},
       {"", "Parameter studies"},
   };
@@ -164,6 +174,39 @@ TEST(BadInput, ARunThatIsRefusedLeavesTheResultsAlone) {
   }
 }
 
+/// Nobody waits for it, and no machine holds it: asked for, and without a terminal refused.
+TEST(BadInput, ARunThatTakesTooMuchIsRefused) {
+  const Folder folder;
+  std::ofstream(folder.path() / "good.toml") << good_study;
+  const auto before = folder.contents();
+  const Outcome outcome = run(folder, "run good.toml --set cell_size='1 nm' < /dev/null");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, StartsWith("run: would take about "));
+  EXPECT_THAT(outcome.err, HasSubstr(" GB of memory, of which "));
+  EXPECT_THAT(outcome.err, testing::ContainsRegex("and about [0-9]+ h [0-9]+ min"));
+  EXPECT_THAT(outcome.err, HasSubstr("--yes"));
+  EXPECT_EQ(folder.contents(), before);
+  // To look at it costs nothing.
+  EXPECT_THAT(run(folder, "check good.toml --set cell_size='1 nm'").out, HasSubstr(" GB of memory each"));
+  EXPECT_EQ(run(folder, "plan good.toml --set cell_size='1 nm'").exit_code, 0);
+  EXPECT_EQ(run(folder, "run -n good.toml --set cell_size='1 nm'").exit_code, 0);
+}
+
+/// Warnings go to standard error and change no exit code.
+TEST(GoodInput, IsWarnedOf) {
+  const Folder folder;
+  std::ofstream(folder.path() / "good.toml") << good_study;
+  for (const char* verb : {"check", "plan", "run -n"}) {
+    const Outcome outcome = run(folder, std::string(verb) + " good.toml --set spall_strength='1 GPa'");
+    EXPECT_EQ(outcome.exit_code, 0) << verb;
+    EXPECT_THAT(outcome.err, StartsWith("warning: --set: spall_strength: has no effect")) << verb;
+  }
+  const std::string json = run(folder, "plan good.toml --json --set spall_strength='1 GPa'").out;
+  EXPECT_THAT(json, HasSubstr("\"warnings\": [\n    \"--set: spall_strength"));
+  EXPECT_THAT(run(folder, "plan good.toml --json --set yield_stress=infinite").out,
+              HasSubstr("\"yield_stress_Pa\": \"infinite\""));
+}
+
 TEST(BadInput, AResultsFolderThatCannotBeMade) {
   const Folder folder;
   std::ofstream(folder.path() / "good.toml") << good_study;
@@ -195,7 +238,8 @@ TEST(BadInput, GoodFilesBesideBadOnes) {
   std::ofstream(folder.path() / "good.toml") << good_study;
   const Outcome outcome = run(folder, "check good.toml absent.toml good.toml");
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.out, "ok: good, 1 job\nok: good, 1 job\n");
+  const std::string line = "ok: good, 1 job, about 52.5 MB of memory each and 0.0047 CPU-hours\n";
+  EXPECT_EQ(outcome.out, line + line);
   EXPECT_THAT(outcome.err, StartsWith("absent.toml: "));
 }
 

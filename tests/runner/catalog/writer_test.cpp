@@ -14,6 +14,7 @@
 #include "runner/catalog/field_files.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
+#include "runner/catalog/stored_jobs.hpp"
 #include "runner/catalog/writer.hpp"
 #include "tests/runner/fakes.hpp"
 
@@ -37,6 +38,47 @@ class Writer : public testing::Test {
   }
   fakes::TemporaryFolder folder;
 };
+
+/// Older programs made the spall strength part of every key, also where nothing reads it.
+TEST_F(Writer, a_job_filed_under_its_former_key_is_found) {
+  CatalogWriter writer(folder.path());
+  mpm::Scene scene = fakes::scene(1e-6);
+  scene.material.spall_strength = 1e9;
+  const Job before{former_key(scene), scene, {1000, 200}, 1}, now{job_key(scene), scene, {1000, 200}, 1};
+  ASSERT_NE(before.key, now.key);
+  writer.register_study("s", "S", {before}, false);
+  EXPECT_TRUE(writer.claim(before.key));
+  const auto file = folder.path() / finished(before).snapshots[0].path;
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << "ten bytes!";
+  writer.finish(finished(before));
+  writer.flush();
+  const auto again = writer.register_study("s", "S", {now}, false);
+  EXPECT_EQ(again.done, 1);
+  EXPECT_TRUE(again.to_run.empty());
+  EXPECT_EQ(one("SELECT key FROM jobs"), SqlValue(now.key));
+  EXPECT_EQ(count("events WHERE reason LIKE 'its key was " + before.key + "%'"), 1);
+  // Files stay, and the job is found by both keys.
+  writer.sweep_files();
+  EXPECT_TRUE(std::filesystem::exists(file));
+  for (const std::string& key : {before.key, now.key}) {
+    const auto found = read_jobs(folder.path(), {key.substr(0, 12), ""});
+    ASSERT_EQ(found.size(), 1u) << key;
+    EXPECT_EQ(found[0].job.key, now.key);
+  }
+  EXPECT_EQ(writer.register_study("s", "S", {now}, false).done, 1);
+}
+
+TEST_F(Writer, one_that_was_only_planned_runs_under_the_new_key) {
+  CatalogWriter writer(folder.path());
+  mpm::Scene scene = fakes::scene(1e-6);
+  scene.material.spall_strength = 1e9;
+  const Job before{former_key(scene), scene, {1000, 200}, 1}, now{job_key(scene), scene, {1000, 200}, 1};
+  writer.register_study("s", "S", {before}, false);
+  EXPECT_EQ(writer.register_study("s", "S", {now}, false).to_run, std::vector{now.key});
+  EXPECT_TRUE(writer.claim(now.key));
+  EXPECT_EQ(count("jobs"), 1);
+}
 
 TEST_F(Writer, a_job_goes_from_planned_to_done_once) {
   CatalogWriter writer(folder.path());

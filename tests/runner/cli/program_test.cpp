@@ -51,6 +51,32 @@ TEST_F(Program, runs_asks_and_exports) {
     EXPECT_EQ(json[i]["area_m2"].get<double>(), std::get<double>(rows[i][0]));
 }
 
+TEST_F(Program, plan_says_what_is_done_already) {
+  ASSERT_EQ(run({"run", smoke, "--results", results, "-q", "--set", "cavity_radius=1 um"}), 0) << output;
+  ASSERT_EQ(run({"plan", smoke, "--results", results}), 0) << output;
+  EXPECT_THAT(output, HasSubstr("1 of 2 done already in " + results));
+  ASSERT_EQ(run({"plan", smoke, "--json", "--results", results}), 0) << output;
+  EXPECT_EQ(nlohmann::json::parse(output)["done_already"], 1);
+  // A value without an effect is no other job.
+  ASSERT_EQ(run({"plan", smoke, "--json", "--results", results, "--set", "detached_for=2 ns"}), 0) << output;
+  EXPECT_EQ(nlohmann::json::parse(output)["done_already"], 1);
+}
+
+TEST_F(Program, a_study_of_another_file_is_named) {
+  const auto other = folder.path() / "other.toml";
+  fs::copy_file(smoke, other);
+  ASSERT_EQ(run({"run", smoke, "--results", results, "-q"}), 0) << output;
+  EXPECT_THAT(output, testing::Not(HasSubstr("warning")));
+  ASSERT_EQ(run({"run", other.string(), "--results", results, "-q"}), 0) << output;
+  EXPECT_THAT(output,
+              HasSubstr("warning: " + other.string() + ": study \"smoke\" was last run from " + smoke));
+  // The same file by another way is the same.
+  const auto link = folder.path() / "link.toml";
+  fs::create_symlink(other, link);
+  ASSERT_EQ(run({"run", link.string(), "--results", results, "-q"}), 0) << output;
+  EXPECT_THAT(output, testing::Not(HasSubstr("warning")));
+}
+
 TEST_F(Program, any_number_of_workers_gives_the_same_rows) {
   std::string texts[2];
   for (const int workers : {1, 2}) {

@@ -57,6 +57,7 @@ TEST(ReadStudy, SnapshotsAreSortedAndUnique) {
 TEST(ReadStudy, FitsAndFigures) {
   const Study study = read_text(
       study_text({{"cavity_radius", "[\"1 um\", \"2 um\"]"}},
+                 "[measure]\nsnapshots = [\"1 ns\"]\n"
                  "[[fit]]\nx = \"cavity_radius\"\ny = \"collapsibility\"\nmodel = \"quadratic\"\n"
                  "[[figure]]\nname = \"a\"\nkind = \"history\"\ntitle = \"A\"\n"
                  "[[figure]]\nname = \"b\"\nkind = \"xy\"\nx = \"cavity_radius\"\ny = \"final_area_m2\"\n"

@@ -30,6 +30,8 @@ std::string_view range_of(mpm::Range range) {
       return "> 0";
     case mpm::Range::non_negative:
       return ">= 0";
+    case mpm::Range::non_negative_or_infinite:
+      return ">= 0, or infinite";
     case mpm::Range::count:
       return "1, 2, ...";
     case mpm::Range::any:

@@ -1,0 +1,212 @@
+#include "runner/plan/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "libmpm/scene/effect.hpp"
+#include "libmpm/scene/parameters.hpp"
+#include "libmpm/scene/resolution.hpp"
+#include "runner/study/readable.hpp"
+
+namespace mpmstudy {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What values of a quantity are usual. Outside, a prefix is likely to be wrong: "120 mPa" is 0.12 Pa.
+struct Usual {
+  std::string_view quantity;
+  double low, high;  ///< SI; 0 and infinity are always fine where the quantity may be so
+};
+constexpr Usual usual_values[] = {
+    {"impact_speed", 0.1, 2e4},     {"inner_speed", 0.1, 2e4},     {"yield_stress", 1e5, 1e11},
+    {"reference_density", 10, 3e4}, {"youngs_modulus", 1e6, 2e12}, {"hardening_modulus", 1e5, 1e12},
+    {"bulk_sound_speed", 100, 2e4}, {"hugoniot_slope", 0.1, 5},    {"gruneisen_gamma", 0.05, 10},
+    {"pressure_limit", 1e8, 1e13},  {"specific_heat", 50, 1e4},    {"initial_temperature", 1, 1e4},
+    {"spall_strength", 1e5, 1e11},
+};
+
+std::string place_of(const Study& study, std::string_view name) {
+  const auto find = [&](std::string_view wanted) -> std::string {
+    const auto found = std::ranges::find(study.given, wanted);
+    if (found == study.given.end()) return {};
+    return study.places[static_cast<std::size_t>(found - study.given.begin())];
+  };
+  std::string place = find(name);
+  if (const mpm::Quantity* row = mpm::find_quantity(name); place.empty() && row)
+    place = find(row->alternative);
+  return place.empty() ? study.path.string() : place;
+}
+
+std::string jobs_text(std::size_t some, std::size_t all) {
+  return some == all ? "" : fmt::format(" in {} of {} jobs", some, all);
+}
+
+class Warnings {
+ public:
+  Warnings(const Study& study, const Plan& plan) : study_(study), plan_(plan) {}
+
+  std::vector<std::string> all() {
+    lines_ = study_.warnings;
+    if (study_.scenes.empty()) return lines_;
+    without_effect();
+    same_runs();
+    unusual_values();
+    thin_parts();
+    bodies_that_hold_together();
+    beyond_the_equation_of_state();
+    return std::move(lines_);
+  }
+
+ private:
+  void say(std::string_view parameter, const std::string& text) {
+    lines_.push_back(fmt::format("{}: {}: {}", place_of(study_, parameter), parameter, text));
+  }
+
+  void without_effect() {
+    for (const std::string& name : study_.given) {
+      const mpm::Condition* condition = mpm::condition_of(name);
+      if (!condition || std::ranges::any_of(study_.scenes, condition->holds)) continue;
+      say(name, fmt::format("has no effect: it needs {}; add that, or remove {}", condition->when, name));
+    }
+  }
+
+  /// Values of what is swept that lead to one and the same run.
+  void same_runs() {
+    if (plan_.jobs.size() == study_.scenes.size()) return;
+    std::map<std::string, const mpm::Scene*> first;
+    std::map<std::string, std::size_t> same;  // by the names in which they differ
+    for (const mpm::Scene& scene : study_.scenes) {
+      const auto [other, is_new] = first.emplace(job_key(scene), &scene);
+      if (is_new) continue;
+      std::string names;
+      for (const std::string& name : study_.swept)
+        if (value(name, scene) != value(name, *other->second)) names += (names.empty() ? "" : ", ") + name;
+      ++same[names];
+    }
+    for (const auto& [names, count] : same) {
+      const std::string many = count == 1 ? "1 combination is" : fmt::format("{} combinations are", count);
+      lines_.push_back(fmt::format(
+          "{}: {} the same run as another one: {}", study_.path.string(), many,
+          names.empty() ? "a value is given twice" : "values of " + names + " have no effect there"));
+    }
+  }
+
+  void unusual_values() {
+    for (const Usual& usual : usual_values) {
+      const mpm::Quantity* row = mpm::find_quantity(usual.quantity);
+      if (!row || !row->belongs_to(study_.kind) || !is_given(usual.quantity)) continue;
+      for (const mpm::Scene& scene : study_.scenes) {
+        const double v = row->get(scene);
+        if (v == 0 || v == infinity || (v >= usual.low && v <= usual.high)) continue;
+        say(usual.quantity,
+            fmt::format("{} is unusual: {} to {} are usual. Is its prefix right? (m is milli, M is "
+                        "mega)",
+                        readable(v, row->unit), readable(usual.low, row->unit),
+                        readable(usual.high, row->unit)));
+        break;
+      }
+    }
+  }
+
+  /// At the coarsest cell under each job, with which the others are compared.
+  void thin_parts() {
+    struct Thinnest {
+      mpm::ThinPart part;
+      double cell;
+      std::size_t jobs;
+    };
+    std::map<std::string_view, Thinnest> thinnest;
+    for (std::size_t i = 0; i < plan_.jobs.size(); ++i) {
+      const mpm::Scene& scene = plan_.ladders.empty() ? plan_.jobs[i].scene : plan_.ladders[i][0].scene;
+      for (const mpm::ThinPart& part : mpm::thin_parts(scene)) {
+        const auto [known, is_new] = thinnest.emplace(part.part, Thinnest{part, scene.numerics.cell_size, 0});
+        ++known->second.jobs;
+        if (!is_new && part.cells < known->second.part.cells)
+          known->second.part = part, known->second.cell = scene.numerics.cell_size;
+      }
+    }
+    for (const auto& [name, worst] : thinnest)
+      say(worst.part.parameter,
+          fmt::format("{} is {} thick, {:.2g} cells of {}{}: below two cells the grid does not show it; {}",
+                      name, readable(worst.part.size, "m"), worst.part.cells, readable(worst.cell, "m"),
+                      jobs_text(worst.jobs, plan_.jobs.size()),
+                      plan_.ladders.empty()
+                          ? "what becomes of it is no result: take a smaller cell_size"
+                          : "that is the coarsest cell of the ladder, on which intervals rest"));
+  }
+
+  /// Once the shock has run to the free rear of each body and the release has come back, real bodies part.
+  static double parting_time(const mpm::Scene& s) {
+    const mpm::Material& m = s.material;
+    const double u = s.impact_speed, shock = m.bulk_sound_speed + m.hugoniot_slope * u;
+    const double shear = 4 * m.shear_modulus() / (3 * m.reference_density);
+    const double release =
+        std::sqrt(m.bulk_sound_speed * m.bulk_sound_speed + shear) + 2 * m.hugoniot_slope * u;
+    return s.block_height / shock + s.block_height * std::max(0.0, 1 - u / shock) / release;
+  }
+
+  void bodies_that_hold_together() {
+    if (study_.kind != mpm::SceneKind::two_body_impact) return;
+    std::size_t jobs = 0;
+    double earliest = infinity, end = 0;
+    for (const mpm::Scene& scene : study_.scenes)
+      if (const double parting = parting_time(scene); scene.end_time > parting) {
+        ++jobs;
+        if (parting < earliest) earliest = parting, end = scene.end_time;
+      }
+    if (jobs > 0)
+      say("end_time",
+          fmt::format("{}{} is later than about {}, when the release waves from the rear faces meet at "
+                      "the contact: real bodies part then, but these hold together once they have "
+                      "met, under tension too; end earlier, or take higher blocks",
+                      readable(end, "s"), jobs_text(jobs, study_.scenes.size()), readable(earliest, "s")));
+  }
+
+  void beyond_the_equation_of_state() {
+    if (study_.kind == mpm::SceneKind::imploding_shell) return;
+    double highest = 0, limit = 0;
+    std::size_t jobs = 0;
+    for (const mpm::Scene& scene : study_.scenes) {
+      const mpm::Material& m = scene.material;
+      const double u = scene.impact_speed;
+      const double pressure = m.reference_density * (m.bulk_sound_speed + m.hugoniot_slope * u) * u;
+      if (pressure <= m.pressure_limit) continue;
+      ++jobs;
+      if (pressure > highest) highest = pressure, limit = m.pressure_limit;
+    }
+    if (jobs > 0)
+      say("impact_speed",
+          fmt::format(
+              "the planar shock{} has {}, beyond pressure_limit = {}, up to which the equation of state is "
+              "valid",
+              jobs_text(jobs, study_.scenes.size()), readable(highest, "Pa"), readable(limit, "Pa")));
+  }
+
+  bool is_given(std::string_view name) const {
+    return std::ranges::find(study_.given, name) != study_.given.end() ||
+           (study_.search && study_.search->critical == name);
+  }
+
+  static double value(const std::string& name, const mpm::Scene& scene) {
+    if (const mpm::Quantity* row = mpm::find_quantity(name)) return row->get(scene);
+    return static_cast<double>(mpm::find_choice(name)->get(scene));
+  }
+
+  const Study& study_;
+  const Plan& plan_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Study& study, const Plan& plan) {
+  return Warnings(study, plan).all();
+}
+
+}  // namespace mpmstudy

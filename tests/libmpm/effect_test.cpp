@@ -1,0 +1,123 @@
+// Which parameters have an effect: what effect.hpp calls inert changes no bit of any result, and everything
+// else does.
+#include "libmpm/scene/effect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "libmpm/scene/parameters.hpp"
+#include "libmpm/simulation.hpp"
+
+namespace mpm {
+namespace {
+
+/// A coarse, strong impact: shock, plastic flow, tension and pressures beyond a low limit within 1 ns.
+Scene small_scene() {
+  Scene s;
+  s.kind = SceneKind::cavity_impact;
+  s.material = named_material("aluminium");
+  s.material.pressure_limit = 5e9;
+  s.impact_speed = 1000;
+  s.block_width = 8e-6, s.block_height = 4e-6;
+  s.cavity_radius = 1e-6, s.cavity_center_height = 2e-6;
+  s.end_time = 1.5e-9;
+  s.numerics = default_numerics(s.kind);
+  s.numerics.cell_size = 0.5e-6;
+  s.measures.area_every = 0.25e-9;
+  s.measures.detached_for = default_detached_for(s);
+  s.measures.snapshots = {1e-9};
+  return s;
+}
+
+/// Fields of the snapshots and every number of the result, bit by bit.
+std::string everything_of(const Scene& scene) {
+  struct Fields : Observer {
+    std::ostringstream text;
+    void on_snapshot(const Snapshot& s) override {
+      for (const auto* column :
+           {&s.x, &s.y, &s.velocity_x, &s.velocity_y, &s.pressure, &s.stress_xx, &s.stress_xy,
+            &s.specific_internal_energy, &s.temperature, &s.equivalent_plastic_strain})
+        for (const double value : *column) text << value << ' ';
+    }
+  } fields;
+  fields.text << std::hexfloat;
+  const RunResult r = run(scene, fields);
+  fields.text << static_cast<int>(r.status) << ' ' << r.outcome << ' ' << r.particles << ' ' << r.steps
+              << '\n';
+  for (const AreaSample& a : r.area_history)
+    fields.text << a.time << ' ' << a.area << ' ' << a.void_area << '\n';
+  for (const Metric& m : r.metrics) fields.text << m.name << ' ' << m.value << '\n';
+  return fields.text.str();
+}
+
+void set(Scene& scene, std::string_view name, double value) {
+  if (const Quantity* row = find_quantity(name))
+    row->set(scene, value);
+  else
+    find_choice(name)->set(scene, static_cast<std::size_t>(value));
+}
+
+TEST(Effect, WhatIsInertChangesNoBit) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const struct {
+    const char* name;
+    double yield_stress, hardening_modulus, value;
+  } cases[] = {
+      {"spall_strength", 120e6, 384e6, 1e6}, {"hardening_modulus", infinite, 384e6, 1e9},
+      {"hardening_measure", 120e6, 0, 2},    {"hardening_measure", infinite, 384e6, 1},
+      {"kinematic_fraction", 120e6, 0, 0.5}, {"kinematic_fraction", infinite, 384e6, 0.5},
+      {"detached_for", 120e6, 384e6, 1e-10}, {"stop", 120e6, 384e6, 1},
+  };
+  for (const Kernel kernel : {Kernel::fast, Kernel::reference})
+    for (const auto& one : cases) {
+      Scene scene = small_scene();
+      scene.numerics.kernel = kernel;
+      scene.material.yield_stress = one.yield_stress;
+      scene.material.hardening_modulus = one.hardening_modulus;
+      const Condition* condition = condition_of(one.name);
+      ASSERT_TRUE(condition) << one.name;
+      ASSERT_FALSE(condition->holds(scene)) << one.name;
+      Scene changed = scene;
+      set(scene, one.name, condition->inert(scene));
+      set(changed, one.name, one.value);
+      ASSERT_EQ(find_problems(changed).size(), 0u) << one.name;
+      EXPECT_EQ(everything_of(scene), everything_of(changed)) << one.name;
+    }
+}
+
+TEST(Effect, EverythingElseChangesSomething) {
+  const Scene scene = small_scene();
+  const std::string before = everything_of(scene);
+  for (const Quantity& row : quantities()) {
+    const Condition* condition = condition_of(row.name);
+    if (row.derived || !row.belongs_to(scene.kind) || (condition && !condition->holds(scene))) continue;
+    Scene changed = scene;
+    if (row.name == "particles_per_cell")
+      row.set(changed, 9);
+    else
+      row.set(changed, row.get(scene) == 0 ? 0.1 : 0.9 * row.get(scene));
+    if (!fast_step_has(changed.numerics)) changed.numerics.kernel = Kernel::reference;
+    ASSERT_EQ(find_problems(changed).size(), 0u) << row.name;
+    EXPECT_NE(everything_of(changed), before) << row.name;
+  }
+  for (const Choice& row : choices()) {
+    const Condition* condition = condition_of(row.name);
+    if (!row.belongs_to(scene.kind) || (condition && !condition->holds(scene))) continue;
+    Scene changed = scene;
+    row.set(changed, 1 - std::min<std::size_t>(row.get(scene), 1));
+    if (!fast_step_has(changed.numerics)) changed.numerics.kernel = Kernel::reference;
+    EXPECT_NE(everything_of(changed), before) << row.name;
+  }
+}
+
+TEST(Effect, NamesRowsOfTheTable) {
+  for (const Condition& condition : conditions())
+    EXPECT_TRUE(find_quantity(condition.parameter) || find_choice(condition.parameter))
+        << condition.parameter;
+}
+
+}  // namespace
+}  // namespace mpm
