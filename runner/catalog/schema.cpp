@@ -237,6 +237,10 @@ INSERT INTO bracket SELECT study_id, position, 'impact_speed', 'm/s', lower_m_s,
   wall_thickness_m
 FROM critical_speed_bracket;
 DROP TABLE critical_speed_bracket;
+ALTER TABLE snapshot ADD COLUMN modified_ns INTEGER;                  -- of the file, by its file system's clock
+ALTER TABLE runner ADD COLUMN name_space TEXT NOT NULL DEFAULT '';   -- in which pid and process_start mean something
+ALTER TABLE runner ADD COLUMN beats INTEGER NOT NULL DEFAULT 0;      -- signs of life: clocks may stand still or step
+ALTER TABLE runner ADD COLUMN expires_s REAL NOT NULL DEFAULT 60;    -- after this silence its jobs may be taken
 )sql";
 
 constexpr std::string_view jobs_before = R"sql(
@@ -369,7 +373,13 @@ std::vector<ParameterColumn> parameter_columns() {
 }  // namespace
 
 CatalogSchema current_catalog_schema() {
-  return {{{1, version_1}, {2, version_2}, {3, version_3}, {4, version_4}, {5, version_5}, {6, version_6}, {7, version_7}},
+  return {{{1, version_1},
+           {2, version_2},
+           {3, version_3},
+           {4, version_4},
+           {5, version_5},
+           {6, version_6},
+           {7, version_7}},
           parameter_columns()};
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "runner/catalog/connection.hpp"
+#include "runner/catalog/reader.hpp"
 #include "runner/catalog/store.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/status/label.hpp"
@@ -26,17 +27,25 @@ void setup_retry(CLI::App& app) {
 }
 
 int run_retry(const RetryOptions& options) {
-  open_for_reading(options.results);  // throws if there is no catalog
+  // Throws if there is no catalog, or no such study.
+  if (options.filter.study.empty())
+    open_for_reading(options.results);
+  else
+    read_state(options.results, {options.filter.study});
   StoreOptions store_options;
   store_options.git_revision = git_revision();
   Store store(options.results, store_options);
   store.begin();
   std::vector<std::string> planned;
+  bool all_found = true;
   for (const auto& key : options.keys.empty() ? std::vector<std::string>{""} : options.keys) {
     auto filter = options.filter;
     filter.key_begins = key;
     const auto keys = store.retry(filter);
-    if (keys.empty() && !key.empty()) fmt::print(stderr, "{}: there is no such failed job\n", key);
+    if (keys.empty() && !key.empty()) {
+      fmt::print(stderr, "{}: there is no such failed job\n", key);
+      all_found = false;
+    }
     planned.insert(planned.end(), keys.begin(), keys.end());
   }
   store.leave();
@@ -44,7 +53,7 @@ int run_retry(const RetryOptions& options) {
   for (const auto& key : planned) fmt::print("{} planned again\n", short_key(key));
   fmt::print("{} planned again; `mpmstudy run STUDY` runs them\n",
              counted(static_cast<std::int64_t>(planned.size()), "job"));
-  return planned.empty() && !options.keys.empty() ? exit_failed : exit_ok;
+  return all_found ? exit_ok : exit_failed;
 }
 
 }  // namespace mpmstudy
