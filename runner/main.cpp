@@ -27,6 +27,7 @@
 #include "runner/cli/usage.hpp"
 #include "runner/cli/verify.hpp"
 #include "runner/cli/watch.hpp"
+#include "runner/exec/signals.hpp"
 #include "runner/finish/finish_study.hpp"
 
 namespace {
@@ -82,6 +83,11 @@ int check_output(int exit_code) {
   const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (streamed && written) return exit_code;
   const int error = errno;
+  if (mpmstudy::output_closed()) {  // `mpmstudy run -v | head -3`: the run was not asked to end
+    fmt::print(stderr,
+               "mpmstudy: the reader of standard output has gone; the run went on without printing\n");
+    return exit_code;
+  }
   fmt::print(stderr, "mpmstudy: standard output could not be written{}\n",
              error != 0 ? fmt::format(" ({})", std::strerror(error)) : "");
   return exit_code == mpmstudy::exit_ok ? mpmstudy::exit_failed : exit_code;

@@ -53,7 +53,7 @@ void write_checkpoint(const std::filesystem::path& path, const Record& record) {
 
 Record read_checkpoint(const std::filesystem::path& path) {
   const Session s(path);
-  const Handle file(s.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "cannot open"), H5Fclose);
+  const Handle file = open_to_read(s, path);
   const Handle attribute(s.check(H5Aopen(file, "format", H5P_DEFAULT), "format"), H5Aclose);
   const Handle type(s.check(H5Aget_type(attribute), "format"), H5Tclose);
   std::string text(H5Tget_size(type), ' ');

@@ -77,6 +77,14 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
+/// Opens a file to read it, without a lock of the file system: files here are written under another name and
+/// renamed, and some shares refuse locks.
+inline Handle open_to_read(const Session& s, const std::filesystem::path& path) {
+  const Handle access(s.check(H5Pcreate(H5P_FILE_ACCESS), "cannot open"), H5Pclose);
+  s.check(H5Pset_file_locking(access, false, true), "cannot open");
+  return Handle(s.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), "cannot open"), H5Fclose);
+}
+
 template <class T>
 hid_t memory_type() {
   if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;

@@ -145,7 +145,7 @@ void split_rows_of_three(const std::vector<double>& rows, std::vector<double>& x
 
 Snapshot read_group(const std::filesystem::path& path) {
   const Session s(path);
-  const Handle file(s.check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "cannot open"), H5Fclose);
+  const Handle file = open_to_read(s, path);
   const Handle root(s.check(H5Gopen2(file, "VTKHDF", H5P_DEFAULT), "VTKHDF"), H5Gclose);
   check_type(s, root);
   Snapshot snapshot;

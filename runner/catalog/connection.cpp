@@ -3,7 +3,6 @@
 #include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <sqlite3.h>
-#include <sys/vfs.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +11,8 @@
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/catch_up.hpp"
+#include "runner/catalog/file_system.hpp"
+#include "runner/catalog/output_file.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -20,6 +21,9 @@ namespace fs = std::filesystem;
 
 /// How long a statement waits for another process that writes [ms].
 constexpr int busy_timeout_ms = 30'000;
+
+/// ... where readers and the writer wait for each other [ms].
+constexpr int busy_timeout_on_share_ms = 600'000;
 
 struct Header {
   std::int32_t application_id = 0;
@@ -50,7 +54,17 @@ void check_header(const fs::path& path, const Header& header, std::int32_t newes
                        "); nothing was changed; use the newer program or another folder (--results)");
 }
 
+/// Locks of the file system itself are refused, whoever asks.
+bool is_without_locks(const SQLite::Exception& error) {
+  const int code = error.getExtendedErrorCode();
+  return code == SQLITE_IOERR_LOCK || code == SQLITE_IOERR_RDLOCK || code == SQLITE_IOERR_CHECKRESERVEDLOCK;
+}
+
 [[noreturn]] void rethrow(const fs::path& path, const SQLite::Exception& error) {
+  if (is_without_locks(error))
+    throw CatalogError(path.string() + ": its file system (" + file_system_of(path).name +
+                       ") gives no file locks (" + refused_lock() +
+                       "), without which no catalog can be written; choose a local folder with --results");
   switch (error.getErrorCode()) {
     case SQLITE_NOTADB:
       throw CatalogError(
@@ -64,8 +78,8 @@ void check_header(const fs::path& path, const Header& header, std::int32_t newes
     case SQLITE_IOERR:
     case SQLITE_PERM:
       throw CatalogError(
-          path.string() + ": cannot be opened (" + error.what() +
-          "); check the permissions of file and folder, or choose another folder with --results");
+          path.string() + ": cannot be opened (" + error.what() + ")" + who_may(path) +
+          "; check the permissions of file and folder, or choose another folder with --results");
     case SQLITE_BUSY:
       throw CatalogError(path.string() + ": another process has held it for too long; try again");
     default:
@@ -94,9 +108,9 @@ void back_up(const fs::path& path, std::int32_t version) {
   const std::string stem = path.string() + ".v" + std::to_string(version) + ".backup";
   fs::path target = stem;
   for (int i = 2; fs::exists(target); ++i) target = stem + "-" + std::to_string(i);
-  const fs::path partial = target.string() + ".tmp";
-  fs::remove(partial);
+  const fs::path partial = unique_name(target);
   {
+    make_by_umask(partial);
     SQLite::Database from(path.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
     SQLite::Database to(partial.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Backup(to, from).executeStep(-1);
@@ -162,14 +176,6 @@ void check_is_file(const fs::path& path) {
         ": cannot be opened (it is not a file); move it away or choose another folder with --results");
 }
 
-/// Whether no other machine can change the file: of a file system that is known not to be shared.
-bool is_on_local_disk(const fs::path& path) {
-  constexpr long local[] = {0xEF53, 0x58465342, 0x9123683E, 0x01021994, 0x794C7630, 0x2FC12FC1};
-  // ext4, xfs, btrfs, tmpfs, overlay, zfs: magic numbers of statfs(2)
-  struct statfs about {};
-  return statfs(path.c_str(), &about) == 0 && std::ranges::find(local, long(about.f_type)) != std::end(local);
-}
-
 std::string uri_path(const fs::path& path) {
   std::string text;
   for (const char c : fs::absolute(path).string())
@@ -200,8 +206,14 @@ void make_folder(const fs::path& results) {
   fs::create_directories(results, error);
   if (!error && !fs::is_directory(results)) error = std::make_error_code(std::errc::not_a_directory);
   if (error)
-    throw CatalogError(results.string() + ": cannot be used as the results folder (" + error.message() +
-                       "); choose another with --results");
+    throw CatalogError(results.string() + ": cannot be used as the results folder (" + error.message() + ")" +
+                       who_may_if_denied(results) + "; choose another with --results");
+}
+
+bool is_filled(const fs::path& path) {
+  std::error_code none;
+  const auto size = fs::file_size(path, none);
+  return !none && size > 0;
 }
 
 }  // namespace
@@ -212,16 +224,20 @@ namespace {
 
 std::unique_ptr<SQLite::Database> open_once(const fs::path& path, const CatalogSchema& schema) {
   if (fs::exists(path)) look_before_writing(path, schema);
+  make_by_umask(path);
+  const bool shared = file_system_of(path).shared;
   auto db = std::make_unique<SQLite::Database>(
-      path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, busy_timeout_ms);
+      path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX,
+      shared ? busy_timeout_on_share_ms : busy_timeout_ms);
   check_header(path, read_header(*db), schema.version());
   // Takes effect in a new catalog only. A row of a job is long: answers over all of a large study go through
   // fewer pages.
   db->exec("PRAGMA page_size = 16384");
-  db->exec("PRAGMA journal_mode = WAL");
+  // A log (WAL) has a part in memory that two machines do not share. A journal needs nothing but locks.
+  db->exec(shared ? "PRAGMA journal_mode = DELETE" : "PRAGMA journal_mode = WAL");
   // NORMAL: a killed process loses nothing. A power cut may lose the last commits, never damage the file;
-  // such jobs are planned again.
-  db->exec("PRAGMA synchronous = NORMAL");
+  // such jobs are planned again. With a journal only FULL keeps the file whole.
+  db->exec(shared ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
   db->exec("PRAGMA foreign_keys = ON");
   bring_up_to_date(*db, path, schema);
   return db;
@@ -231,6 +247,7 @@ std::unique_ptr<SQLite::Database> open_once(const fs::path& path, const CatalogS
 
 std::unique_ptr<SQLite::Database> open_for_writing(const fs::path& results, const CatalogSchema& schema) {
   const fs::path path = catalog_path(results);
+  watch_locks();
   make_folder(results);
   check_is_file(path);
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(busy_timeout_ms);
@@ -252,6 +269,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
     throw CatalogError(path.string() +
                        ": there is no catalog; `mpmstudy run STUDY` makes one, --results names its folder");
   check_is_file(path);
+  watch_locks();
   const int flags = SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX;
   std::unique_ptr<SQLite::Database> db;
   try {
@@ -261,14 +279,18 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
       header = read_header(*db);
     } catch (const SQLite::Exception& error) {
       // WAL needs a small file beside the catalog. Where none can be made nobody can write either.
-      const bool unfinished =
-          fs::exists(path.string() + "-wal", ignored) || fs::exists(path.string() + "-journal", ignored);
+      const bool unfinished = is_filled(path.string() + "-wal") || is_filled(path.string() + "-journal");
       const int code = error.getErrorCode();
+      const bool without_locks = is_without_locks(error);
+      if (without_locks && unfinished)
+        throw CatalogError(path.string() + ": its file system gives no file locks (" + refused_lock() +
+                           "), and the log beside it is not in it yet; copy the folder to a local disk and "
+                           "read it there");
       if (code == SQLITE_READONLY && unfinished)
         throw UnfinishedCatalog(
             path.string() +
             ": a process was killed while it made the catalog; `mpmstudy run STUDY` finishes it");
-      if (unfinished || (code != SQLITE_CANTOPEN && code != SQLITE_READONLY)) throw;
+      if (unfinished || (code != SQLITE_CANTOPEN && code != SQLITE_READONLY && !without_locks)) throw;
       db = std::make_unique<SQLite::Database>("file:" + uri_path(path) + "?immutable=1",
                                               flags | SQLite::OPEN_URI);
       header = read_header(*db);
@@ -276,7 +298,7 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
     db->exec("PRAGMA cache_size = -65536");  // [KiB]: questions over all jobs of a large study
     // Read in place they take a quarter to a third less time. A file that another machine cuts short while it
     // is read so ends the reader by a signal: not on a share.
-    if (is_on_local_disk(path)) db->exec("PRAGMA mmap_size = 1073741824");  // [bytes]
+    if (file_system_of(path).local) db->exec("PRAGMA mmap_size = 1073741824");  // [bytes]
     check_header(path, header, current_catalog_schema().version());
     if (header.version == 0)
       throw UnfinishedCatalog(path.string() + ": is empty; `mpmstudy run STUDY` fills it");

@@ -2,6 +2,7 @@
 #include "runner/catalog/field_files.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <xxhash.h>
 
 #include <chrono>
@@ -37,13 +38,22 @@ std::string what_is_wrong(const fs::path& path, std::int64_t bytes, const std::s
   return fmt::format("{}: its checksum is not the one it was written with", path.string());
 }
 
-/// A checksum costs reading the file, so it is taken where the file was touched after its job was done.
+std::int64_t modified_ns(const fs::path& path) {
+  struct stat s {};
+  if (stat(path.c_str(), &s) != 0) return 0;
+  return std::int64_t{s.st_mtim.tv_sec} * 1'000'000'000 + s.st_mtim.tv_nsec;
+}
+
+/// A checksum costs reading the file, so it is taken where the file has another time than it was written
+/// with. Only equality says something: file server and runners have clocks of their own. Rows of an older
+/// catalog have no such time; there the file must not be newer than the end of its job.
 std::map<std::int64_t, std::string> Store::Impl::damaged_jobs(std::int64_t study) {
   std::map<std::int64_t, std::string> damaged;
-  SQLite::Statement rows(*db,
-                         "SELECT j.id, f.path, f.bytes, f.checksum, j.finished_at FROM study_job m "
-                         "JOIN job j ON j.id = m.job_id JOIN snapshot f ON f.job_id = j.id "
-                         "WHERE m.study_id = ? AND j.status = 'done'");
+  SQLite::Statement rows(
+      *db,
+      "SELECT j.id, f.path, f.bytes, f.checksum, j.finished_at, f.modified_ns FROM study_job m "
+      "JOIN job j ON j.id = m.job_id JOIN snapshot f ON f.job_id = j.id "
+      "WHERE m.study_id = ? AND j.status = 'done'");
   rows.bind(1, study);
   while (rows.executeStep()) {
     const auto id = rows.getColumn(0).getInt64();
@@ -53,7 +63,9 @@ std::map<std::int64_t, std::string> Store::Impl::damaged_jobs(std::int64_t study
     const auto written = fs::last_write_time(path, ignored);
     const auto touched = utc_timestamp(std::chrono::time_point_cast<std::chrono::system_clock::duration>(
         std::chrono::file_clock::to_sys(written)));
-    const bool read = !ignored && touched > rows.getColumn(4).getString();
+    const std::int64_t then = rows.getColumn(5).getInt64();
+    const bool read =
+        then != 0 ? modified_ns(path) != then : !ignored && touched > rows.getColumn(4).getString();
     const auto wrong =
         what_is_wrong(path, rows.getColumn(2).getInt64(), read ? rows.getColumn(3).getString() : "");
     if (!wrong.empty()) damaged[id] = wrong;

@@ -1,17 +1,19 @@
 #include "runner/catalog/output_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
+#include <random>
 #include <system_error>
 
 #include "runner/catalog/catalog_error.hpp"
 
 namespace mpmstudy {
 
-OutputFile::OutputFile(std::filesystem::path path)
-    : path_(std::move(path)), partial_(path_.string() + "." + std::to_string(getpid()) + ".tmp") {
+OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), partial_(unique_name(path_)) {
   std::error_code error;
   if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
   stream_.open(partial_, std::ios::binary | std::ios::trunc);
@@ -37,6 +39,12 @@ void OutputFile::commit() {
     throw CatalogError(path_.string() + ": cannot be written (" + error.code().message() + ")");
   }
   committed_ = true;
+}
+
+std::filesystem::path unique_name(const std::filesystem::path& stem) {
+  std::random_device random;
+  const std::uint64_t high = random(), low = random();
+  return stem.string() + fmt::format(".{:016x}.tmp", high << 32 | low);
 }
 
 void sync_to_disk(const std::filesystem::path& path) {

@@ -7,7 +7,9 @@ namespace mpmstudy {
 
 struct ProcessId {
   std::string host;
-  std::string boot_id;             ///< of the kernel; a reboot ends every process
+  std::string boot_id;  ///< of the kernel; a reboot ends every process
+  /// The namespaces in which the two numbers below mean something: "pid:[4026531836] time:[4026531834]".
+  std::string name_space;
   std::int64_t pid = 0;            ///< may be reused by the system,
   std::int64_t process_start = 0;  ///< so: clock ticks after boot at which it started
 
@@ -15,12 +17,13 @@ struct ProcessId {
 };
 
 ProcessId this_process();
-/// A process of this host.
+/// A process of this host and of the namespaces of this process.
 ProcessId process_with(std::int64_t pid);
 
 enum class Liveness { alive, gone, unknown };
 
-/// unknown: it is of another host, where this one cannot look.
+/// Looks for the process by its number. unknown: this process cannot look, since the other one is of another
+/// host, another boot or another namespace (numbers mean something else there), or since /proc hides it.
 Liveness liveness(const ProcessId&);
 
 }  // namespace mpmstudy

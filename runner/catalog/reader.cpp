@@ -8,7 +8,6 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/process.hpp"
 #include "runner/catalog/runner_row.hpp"
-#include "runner/catalog/timestamp.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -57,18 +56,19 @@ CatalogState read_all(SQLite::Database& db) {
   state.stale =
       db.execAndGet("SELECT count(*) FROM job WHERE physics_version < (SELECT version FROM physics)")
           .getInt64();
-  const auto now = utc_now();
-  SQLite::Statement processes(
-      db, "SELECT " + std::string(runner_columns) + " FROM runner r WHERE r.ended_at IS NULL");
-  while (processes.executeStep()) state.processes += runner_row(processes, 0, now).gone.empty();
-  SQLite::Statement running(db,
-                            "SELECT j.key, s.name, j.started_at, j.attempt, " + std::string(runner_columns) +
-                                " FROM job j JOIN runner r ON r.id = j.runner_id " + std::string(of_studies) +
-                                "WHERE j.status = 'running' ORDER BY j.started_at, j.key, s.name");
+  const bool old = db.execAndGet("PRAGMA user_version").getInt() < 7;
+  const std::string columns(old ? runner_columns_before_7 : runner_columns);
+  SQLite::Statement processes(db, "SELECT " + columns + " FROM runner r WHERE r.ended_at IS NULL");
+  while (processes.executeStep()) state.processes += runner_row(processes, 0).gone.empty();
+  SQLite::Statement running(db, "SELECT j.key, s.name, j.started_at, j.attempt, " + columns +
+                                    " FROM job j JOIN runner r ON r.id = j.runner_id " +
+                                    std::string(of_studies) +
+                                    "WHERE j.status = 'running' ORDER BY j.started_at, j.key, s.name");
   while (running.executeStep()) {
-    const auto by = runner_row(running, 4, now);
+    const auto by = runner_row(running, 4);
     state.running.push_back({running.getColumn(0).getString(), running.getColumn(1).getString(), by.who,
-                             running.getColumn(2).getString(), running.getColumn(3).getInt64(), by.gone});
+                             running.getColumn(2).getString(), running.getColumn(3).getInt64(), by.gone,
+                             by.last_sign});
   }
   SQLite::Statement failed(db, "SELECT j.key, s.name, j.reason FROM job j " + std::string(of_studies) +
                                    "WHERE j.status = 'failed' ORDER BY s.name, m.position, j.key");

@@ -22,7 +22,12 @@ struct RunningJob {
   std::string by;     ///< "host:pid"
   std::string since;  ///< UTC
   std::int64_t attempt = 0;
-  std::string gone;  ///< why nobody runs it any longer; a run of its study takes it up. "": it is being run
+  /// Why nobody runs it any longer; a run of its study takes it up. "": it is being run, or `last_sign` is
+  /// all that can be known here.
+  std::string gone;
+  /// Of a process that cannot be looked for from here (another host or namespace): its last sign of life, UTC
+  /// by its own clock. Else "".
+  std::string last_sign;
 };
 
 struct FailedJob {

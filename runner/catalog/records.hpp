@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "libmpm/simulation.hpp"
@@ -36,6 +37,8 @@ struct SnapshotFile {
   std::string path;  ///< relative to the results folder
   std::int64_t bytes = 0;
   std::string checksum;  ///< XXH3-128 of the file, 32 hexadecimal digits
+  /// When it was written, by the clock of its file system [ns since 1970]; 0: not known.
+  std::int64_t modified_ns = 0;
 };
 
 /// A job that has been decided, with everything that it left.
@@ -126,6 +129,20 @@ struct StudySource {
   std::string path;              ///< of its file
   std::vector<std::string> set;  ///< its --set
   double cells = 1;              ///< its --cells
+};
+
+/// What registering does to the jobs that a study had.
+enum class Members {
+  exactly,   ///< those that are not given leave it
+  at_least,  ///< as exactly, unless it has all that are given: then it keeps its other ones, too
+  also       ///< those that are given are added
+};
+
+/// Some of the jobs that are registered: only they are to run.
+struct Selection {
+  Members members = Members::exactly;
+  std::optional<std::unordered_set<std::string>> keys{};  ///< none: all
+  bool has(const std::string& key) const { return !keys || keys->contains(key); }
 };
 
 /// Which failed jobs; "": any.

@@ -50,18 +50,21 @@ void Store::Impl::take_from(std::int64_t job, std::int64_t attempt, const std::s
   record(job, JobStatus::running, JobStatus::planned, attempt, "process " + who + " is gone");
 }
 
-std::set<std::int64_t> Store::Impl::take_up() {
-  std::map<std::int64_t, std::string> gone;  // runner -> who
-  const auto now = utc_now();
-  SQLite::Statement runners(*db, "SELECT r.id, " + std::string(runner_columns) +
+std::map<std::int64_t, std::string> Store::Impl::gone_runners() {
+  std::map<std::int64_t, std::string> gone;
+  SQLite::Statement runners(*db, "SELECT " + std::string(runner_columns) +
                                      " FROM runner r WHERE r.id <> ? AND "
                                      "r.id IN (SELECT runner_id FROM job WHERE status = 'running')");
   runners.bind(1, runner);
   while (runners.executeStep())
-    if (const auto other = runner_row(runners, 1, now, options.heartbeat_expires_s); !other.gone.empty())
+    if (const auto other = runner_row(runners, 0, &heartbeats); !other.gone.empty())
       gone[runners.getColumn(0).getInt64()] = other.who;
+  return gone;
+}
+
+std::set<std::int64_t> Store::Impl::take_up() {
   std::set<std::int64_t> taken;
-  for (const auto& [id, who] : gone) {
+  for (const auto& [id, who] : gone_runners()) {
     std::vector<std::pair<std::int64_t, std::int64_t>> jobs;  // id, attempt
     SQLite::Statement left(*db, "SELECT id, attempt FROM job WHERE status = 'running' AND runner_id = ?");
     left.bind(1, id);
@@ -79,7 +82,7 @@ bool Store::Impl::take_up(const Row& row) {
   SQLite::Statement found(*db, "SELECT " + std::string(runner_columns) + " FROM runner r WHERE r.id = ?");
   found.bind(1, row.runner);
   if (!found.executeStep()) return false;
-  const auto other = runner_row(found, 0, utc_now(), options.heartbeat_expires_s);
+  const auto other = runner_row(found, 0, &heartbeats);
   if (other.gone.empty()) return false;
   take_from(row.id, row.attempt, other.who);
   return true;
@@ -130,6 +133,22 @@ void forget_another_form(SQLite::Database& db, const std::string& name, const St
   }
 }
 
+/// Has the study every job that is not a coarser or finer cell of another?
+bool has_all(const std::vector<std::pair<std::string, Store::Impl::Row>>& members,
+             const std::vector<Job>& jobs) {
+  std::set<std::string> keys;
+  for (const auto& [key, row] : members) keys.insert(key);
+  return std::ranges::all_of(jobs, [&](const Job& job) { return job.rung_of || keys.contains(job.key); });
+}
+
+/// Behind all that the study has.
+std::int64_t next_position(SQLite::Database& db, std::int64_t study) {
+  SQLite::Statement last(db, "SELECT coalesce(max(position) + 1, 0) FROM study_job WHERE study_id = ?");
+  last.bind(1, study);
+  last.executeStep();
+  return last.getColumn(0).getInt64();
+}
+
 std::int64_t enter_study(SQLite::Database& db, const std::string& name, const std::string& title,
                          const StudySource& source) {
   forget_another_form(db, name, source);
@@ -151,8 +170,8 @@ std::int64_t enter_study(SQLite::Database& db, const std::string& name, const st
 }  // namespace
 
 Registration Store::register_study(const std::string& name, const std::string& title,
-                                   const std::vector<Job>& jobs, bool retry_failed,
-                                   const StudySource& source) {
+                                   const std::vector<Job>& jobs, bool retry_failed, const StudySource& source,
+                                   const Selection& selection) {
   auto& db = *impl_->db;
   const std::int64_t study = enter_study(db, name, title, source);
   const auto taken_up = impl_->take_up();
@@ -160,13 +179,15 @@ Registration Store::register_study(const std::string& name, const std::string& t
   const bool ladders = std::ranges::any_of(jobs, [](const Job& job) { return job.rung_of.has_value(); });
   const bool same =
       !ladders && std::ranges::equal(jobs, members, {}, &Job::key, [](const auto& m) { return m.first; });
-  if (!same) {
+  const bool keep = selection.members == Members::also ||
+                    (selection.members == Members::at_least && has_all(members, jobs));
+  if (!same && !keep) {
     SQLite::Statement forget(db, "DELETE FROM study_job WHERE study_id = ?");
     execute(forget, study);
   }
   std::vector<Impl::Row> rows;
   rows.reserve(jobs.size());
-  std::int64_t position = 0;
+  std::int64_t position = selection.members == Members::also ? next_position(db, study) : 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (same) {
       rows.push_back(members[i].second);
@@ -184,7 +205,8 @@ Registration Store::register_study(const std::string& name, const std::string& t
     const auto [id, status, attempt, runner, crashes] = rows[i];
     std::string again;  // why, if so
     if (status == JobStatus::cancelled) again = "wanted again";
-    if (status == JobStatus::failed && retry_failed) again = "retry of a failed job";
+    if (status == JobStatus::failed && retry_failed && selection.has(jobs[i].key))
+      again = "retry of a failed job";
     if (const auto found = damaged.find(id); found != damaged.end()) {
       again = found->second;
       ++registration.damaged;

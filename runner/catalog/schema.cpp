@@ -242,6 +242,10 @@ ALTER TABLE fit ADD COLUMN points INTEGER;     -- through how many it goes
 ALTER TABLE fit ADD COLUMN family TEXT NOT NULL DEFAULT '{}';  -- JSON object: column of jobs -> value of what else is swept
 ALTER TABLE job ADD COLUMN former_key TEXT;  -- while a parameter without an effect was part of its key
 CREATE INDEX job_by_former_key ON job (former_key) WHERE former_key IS NOT NULL;
+ALTER TABLE snapshot ADD COLUMN modified_ns INTEGER;                  -- of the file, by its file system's clock
+ALTER TABLE runner ADD COLUMN name_space TEXT NOT NULL DEFAULT '';   -- in which pid and process_start mean something
+ALTER TABLE runner ADD COLUMN beats INTEGER NOT NULL DEFAULT 0;      -- signs of life: clocks may stand still or step
+ALTER TABLE runner ADD COLUMN expires_s REAL NOT NULL DEFAULT 60;    -- after this silence its jobs may be taken
 )sql";
 
 constexpr std::string_view jobs_before = R"sql(

@@ -14,7 +14,8 @@ void Store::Impl::write_result(std::int64_t id, const FinishedJob& job, const st
   std::int64_t sample = 0;
   for (const auto& a : r.area_history) execute(insert_area, id, sample++, a.time, a.area, a.void_area);
   for (const auto& s : job.snapshots)
-    execute(insert_snapshot, id, s.time, s.step, s.path, s.bytes, s.checksum);
+    execute(insert_snapshot, id, s.time, s.step, s.path, s.bytes, s.checksum,
+            s.modified_ns == 0 ? std::nullopt : std::optional(s.modified_ns));
   const auto kind = job.failure ? std::optional(std::string(to_string(*job.failure))) : std::nullopt;
   execute(end, std::string(to_string(job.status)), or_null(job.reason), kind, finished_at, r.particles,
           r.steps, job.wall_s, job.cpu_s, r.energy_error, or_null(r.outcome), r.initial_area, r.final_area,
@@ -46,6 +47,7 @@ JobClaim Store::claim(const std::string& key) {
   execute(impl_->start, impl_->runner, utc_now(), row->id);
   impl_->record(row->id, JobStatus::planned, JobStatus::running, row->attempt + 1);
   impl_->claimed.insert(key);
+  impl_->held.insert(key);
   return {true, JobStatus::running, row->crashes};
 }
 
@@ -57,6 +59,7 @@ std::int64_t Store::crashed(const std::string& key) {
 }
 
 void Store::release(const std::string& key, const std::string& reason) {
+  impl_->held.erase(key);
   const auto row = impl_->find_mine(key);
   if (!row) return;
   execute(impl_->plan_again, row->id);
@@ -64,6 +67,7 @@ void Store::release(const std::string& key, const std::string& reason) {
 }
 
 bool Store::finish(const FinishedJob& job) {
+  impl_->held.erase(job.key);
   const auto row = impl_->find_mine(job.key);
   if (!row) return false;
   impl_->write_result(row->id, job, utc_now(), impl_->options.process.host, impl_->options.git_revision);
@@ -129,9 +133,22 @@ void Store::replace_claims(const std::vector<Claim>& claims) {
 }
 
 void Store::heartbeat() {
-  SQLite::Statement update(*impl_->db, "UPDATE runner SET heartbeat_at = ? WHERE id = ?");
+  SQLite::Statement update(*impl_->db, "UPDATE runner SET heartbeat_at = ?, beats = beats + 1 WHERE id = ?");
   execute(update, utc_now(), impl_->runner);
+  impl_->gone_runners();
 }
+
+bool Store::holds(const std::string& key) { return impl_->find_mine(key).has_value(); }
+
+std::vector<std::string> Store::lost() {
+  std::vector<std::string> keys;
+  for (const auto& key : impl_->held)
+    if (!impl_->find_mine(key)) keys.push_back(key);
+  for (const auto& key : keys) impl_->held.erase(key);
+  return keys;
+}
+
+void Store::move_log() noexcept { impl_->db->tryExec("PRAGMA wal_checkpoint(PASSIVE)"); }
 
 void Store::leave() {
   SQLite::Statement update(*impl_->db, "UPDATE runner SET ended_at = ? WHERE id = ?");

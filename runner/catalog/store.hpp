@@ -15,7 +15,7 @@ namespace mpmstudy {
 
 struct StoreOptions {
   std::string git_revision;  ///< of the program that writes
-  /// A runner of another host that is silent for longer is gone [s].
+  /// Runners that cannot look for this process may take its jobs after this silence [s].
   double heartbeat_expires_s = default_heartbeat_expires_s;
   ProcessId process = this_process();
 };
@@ -35,10 +35,11 @@ class Store {
   void commit_part();
   void rollback_part();
 
-  /// Enters the jobs of a study and makes them its members, instead of those it had. Gives back what is to
-  /// run. Jobs whose process is gone are planned again; planned jobs that no study has are cancelled.
+  /// Enters the jobs of a study and makes them its members, instead of those it had (see Members). Gives back
+  /// what is to run. Jobs whose process is gone are planned again; planned jobs that no study has are
+  /// cancelled. What the selection does not have is left as it is.
   Registration register_study(const std::string& name, const std::string& title, const std::vector<Job>&,
-                              bool retry_failed, const StudySource& = {});
+                              bool retry_failed, const StudySource& = {}, const Selection& = {});
 
   /// Enters a finer cell under the job at the position `rung.rung_of` of a study, in whose place it becomes
   /// the study's own. Gives back its status; planned: to run.
@@ -46,8 +47,8 @@ class Store {
 
   /// planned -> running, by this process. A job that another one runs is taken up if that one is gone.
   JobClaim claim(const std::string& key);
-  /// The child process that ran the job died; gives back how often its process has. Throws CatalogError if
-  /// this process does not run the job.
+  /// The child process that ran the job died; gives back how often its process has, 0 if another process has
+  /// taken the job up. Throws CatalogError for a job that this process never ran.
   std::int64_t crashed(const std::string& key);
   /// running -> planned. Nothing happens if another process has taken the job up.
   void release(const std::string& key, const std::string& reason);
@@ -61,8 +62,16 @@ class Store {
 
   void replace_claims(const std::vector<Claim>&);
 
-  void heartbeat();  ///< this process lives
-  void leave();      ///< this process ends in order
+  /// This process lives. Looks whether those live that it has to judge by their signs of life, too.
+  void heartbeat();
+  /// Does this process run the job? False once another one has taken it up.
+  bool holds(const std::string& key);
+  /// Jobs that this process runs, as far as it knows, and that another one has taken up.
+  std::vector<std::string> lost();
+  void leave();  ///< this process ends in order
+  /// Moves what is committed from the log into catalog.db, as far as no reader stands in the way, so that a
+  /// copy of that file has it. Waits for nobody. Outside of begin() ... commit().
+  void move_log() noexcept;
 
   /// Removes folders of fields whose jobs are neither decided nor running: a process that was killed left
   /// them. Within a transaction, so that nobody begins such a job meanwhile. Gives back how many.

@@ -10,6 +10,7 @@
 #include "runner/catalog/bind.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
+#include "runner/catalog/heartbeats.hpp"
 #include "runner/catalog/store.hpp"
 #include "runner/catalog/timestamp.hpp"
 
@@ -32,6 +33,8 @@ struct Store::Impl {
   std::unique_ptr<SQLite::Database> db;
   std::int64_t runner = 0;
   std::unordered_set<std::string> claimed;  ///< keys of jobs that this process runs, or did
+  std::unordered_set<std::string> held;     ///< ... that it has neither decided nor let go
+  Heartbeats heartbeats;                    ///< of other runners
 
   SQLite::Statement select_job{*db, "SELECT id, status, attempt, runner_id, crashes FROM job WHERE key = ?"};
   SQLite::Statement insert_job{*db, insert_job_sql()};
@@ -59,7 +62,7 @@ struct Store::Impl {
       *db, "INSERT INTO area_sample (job_id, sample, time_s, area_m2, void_area_m2) VALUES (?, ?, ?, ?, ?)"};
   SQLite::Statement insert_snapshot{*db,
                                     "INSERT OR REPLACE INTO snapshot (job_id, time_s, step, path, bytes, "
-                                    "checksum) VALUES (?, ?, ?, ?, ?, ?)"};
+                                    "checksum, modified_ns) VALUES (?, ?, ?, ?, ?, ?, ?)"};
   SQLite::Statement insert_event{
       *db,
       "INSERT INTO event (job_id, from_status, to_status, at, runner_id, attempt, reason) "
@@ -108,11 +111,12 @@ struct Store::Impl {
   void enter() {
     SQLite::Statement insert(
         *db,
-        "INSERT INTO runner (host, boot_id, pid, process_start, git_revision, started_at, "
-        "heartbeat_at) VALUES (?, ?, ?, ?, ?, ?, ?)");
+        "INSERT INTO runner (host, boot_id, name_space, pid, process_start, git_revision, started_at, "
+        "heartbeat_at, expires_s) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
     const auto now = utc_now();
     const auto& p = options.process;
-    execute(insert, p.host, p.boot_id, p.pid, p.process_start, options.git_revision, now, now);
+    execute(insert, p.host, p.boot_id, p.name_space, p.pid, p.process_start, options.git_revision, now, now,
+            options.heartbeat_expires_s);
     runner = db->getLastInsertRowid();
   }
 
@@ -127,6 +131,8 @@ struct Store::Impl {
   /// The row of a job. One that was filed under the job's former key gets the new one.
   std::optional<Row> find(const Job&);
   std::int64_t add_job(const Job&);
+  /// Runners with running jobs that are gone: id -> who.
+  std::map<std::int64_t, std::string> gone_runners();
   /// Plans again what processes that are gone have left running. Gives back the ids of these jobs.
   std::set<std::int64_t> take_up();
   /// Plans one running job again if its process is gone.

@@ -3,12 +3,14 @@
 #include <SQLiteCpp/Exception.h>
 #include <sqlite3.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <future>
 #include <mutex>
 #include <thread>
+#include <unordered_set>
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
@@ -27,6 +29,10 @@ struct CatalogWriter::Impl {
   std::filesystem::path path;
   WriterOptions options;
   Store store;
+
+  std::atomic<bool> any_lost{false};  ///< lost is not empty
+  mutable std::mutex lost_mutex;
+  std::unordered_set<std::string> lost;  // guarded by lost_mutex; jobs that others have taken up
 
   std::mutex mutex;
   std::condition_variable wake;
@@ -109,6 +115,7 @@ struct CatalogWriter::Impl {
 
   void serve() {
     auto last_beat = std::chrono::steady_clock::now();
+    auto last_move = last_beat - options.move_log;  // the first one soon: the tables
     while (true) {
       std::deque<Task> batch;
       {
@@ -121,10 +128,31 @@ struct CatalogWriter::Impl {
       if (!batch.empty()) commit(batch);
       if (const auto now = std::chrono::steady_clock::now(); now - last_beat >= options.heartbeat) {
         last_beat = now;
-        try_alone([](Store& s) { s.heartbeat(); });
+        try_alone([this](Store& s) {
+          s.heartbeat();
+          note_lost(s.lost());
+        });
+        if (now - last_move >= options.move_log) {
+          last_move = now;
+          store.move_log();
+        }
       }
     }
     try_alone([](Store& s) { s.leave(); });
+    store.move_log();
+  }
+
+  void note_lost(const std::vector<std::string>& keys) {
+    if (keys.empty()) return;
+    std::lock_guard lock(lost_mutex);
+    lost.insert(keys.begin(), keys.end());
+    any_lost = true;
+  }
+  void forget_lost(const std::string& key) {
+    if (!any_lost) return;
+    std::lock_guard lock(lost_mutex);
+    lost.erase(key);
+    any_lost = !lost.empty();
   }
 
   /// A heartbeat or a farewell: if it cannot be written, the next real write says so.
@@ -174,13 +202,16 @@ CatalogWriter::CatalogWriter(const std::filesystem::path& results, WriterOptions
 CatalogWriter::~CatalogWriter() = default;
 
 Registration CatalogWriter::register_study(const std::string& name, const std::string& title,
-                                           std::vector<Job> jobs, bool retry_failed, StudySource source) {
-  return impl_->ask([=, jobs = std::move(jobs), source = std::move(source)](Store& s) {
-    return s.register_study(name, title, jobs, retry_failed, source);
-  });
+                                           std::vector<Job> jobs, bool retry_failed, StudySource source,
+                                           Selection selection) {
+  return impl_->ask(
+      [=, jobs = std::move(jobs), source = std::move(source), selection = std::move(selection)](Store& s) {
+        return s.register_study(name, title, jobs, retry_failed, source, selection);
+      });
 }
 
 JobClaim CatalogWriter::claim(const std::string& key) {
+  impl_->forget_lost(key);
   return impl_->ask([key](Store& s) { return s.claim(key); });
 }
 
@@ -188,8 +219,18 @@ std::int64_t CatalogWriter::crashed(const std::string& key) {
   return impl_->ask([key](Store& s) { return s.crashed(key); });
 }
 
-void CatalogWriter::finish(FinishedJob job) {
-  impl_->tell([job = std::move(job)](Store& s) { s.finish(job); });
+bool CatalogWriter::finish(FinishedJob job) {
+  return impl_->ask([job = std::move(job)](Store& s) { return s.finish(job); });
+}
+
+bool CatalogWriter::lost(const std::string& key) const {
+  if (!impl_->any_lost) return false;
+  std::lock_guard lock(impl_->lost_mutex);
+  return impl_->lost.contains(key);
+}
+
+bool CatalogWriter::holds(const std::string& key) {
+  return impl_->ask([key](Store& s) { return s.holds(key); });
 }
 
 void CatalogWriter::release(const std::string& key, const std::string& reason) {

@@ -2,8 +2,8 @@
 /// The one writer of a catalog: a thread with a queue. Any thread may call any member; values are handed over
 /// and committed in the order of the calls, many in one transaction when many wait.
 ///
-/// Calls that answer wait for their commit. finish() and release() do not: what goes wrong there (a full
-/// disk) is thrown by the next call or by flush(), and the writer takes nothing more.
+/// Calls that answer wait for their commit. release() does not: what goes wrong there (a full disk) is thrown
+/// by the next call or by flush(), and the writer takes nothing more.
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -18,9 +18,11 @@ namespace mpmstudy {
 
 struct WriterOptions {
   StoreOptions store;
-  /// Period at which the catalog is told that this process lives. Longer than a third of
-  /// StoreOptions::heartbeat_expires_s and other hosts may take its jobs.
+  /// Period at which the catalog is told that this process lives, and asked whether others do. Longer than a
+  /// quarter of StoreOptions::heartbeat_expires_s and other machines may take its jobs.
   std::chrono::milliseconds heartbeat{5000};
+  /// Period at which catalog.db itself, without its log, has what is committed; it has all of it at the end.
+  std::chrono::milliseconds move_log{60'000};
 };
 
 class CatalogWriter : public Ledger {
@@ -31,11 +33,13 @@ class CatalogWriter : public Ledger {
   ~CatalogWriter() override;
 
   Registration register_study(const std::string& name, const std::string& title, std::vector<Job>,
-                              bool retry_failed, StudySource = {});
+                              bool retry_failed, StudySource = {}, Selection = {});
   JobClaim claim(const std::string& key) override;
   std::int64_t crashed(const std::string& key) override;
-  void finish(FinishedJob) override;
+  bool finish(FinishedJob) override;
   void release(const std::string& key, const std::string& reason) override;
+  bool lost(const std::string& key) const override;
+  bool holds(const std::string& key) override;
   void flush() override;
 
   /// See Store::sweep_files.

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "runner/catalog/connection.hpp"
+#include "runner/catalog/reader.hpp"
 #include "runner/catalog/store.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/status/label.hpp"
@@ -26,7 +27,11 @@ void setup_retry(CLI::App& app) {
 }
 
 int run_retry(const RetryOptions& options) {
-  open_for_reading(options.results);  // throws if there is no catalog
+  // Throws if there is no catalog, or no such study.
+  if (options.filter.study.empty())
+    open_for_reading(options.results);
+  else
+    read_state(options.results, {options.filter.study});
   StoreOptions store_options;
   store_options.git_revision = git_revision();
   Store store(options.results, store_options);

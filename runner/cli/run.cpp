@@ -13,11 +13,14 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <string_view>
+#include <unordered_set>
 
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
+#include "runner/catalog/file_system.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/catalog/stored_jobs.hpp"
@@ -78,7 +81,7 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
   std::set<std::string> seen;
   double seconds = 0;
   for (const auto& study : planned)
-    for (const auto& job : first_jobs(study.plan)) {
+    for (const auto& job : jobs_to_run(study)) {
       if (!seen.insert(job.key).second) continue;
       const auto status = known.contains(job.key) ? known[job.key] : "planned";
       if (status == "done" || (status == "failed" && !options.retry_failed)) {
@@ -162,23 +165,42 @@ ExecutorOptions executor_options(const RunOptions& options) {
   return executor;
 }
 
-/// The keys in a file, one per line.
-std::set<std::string> read_keys(const std::string& path) {
+/// Keys of jobs from a file, separated by blanks or ends of lines: key -> line. Throws StudyError.
+std::map<std::string, int> read_keys(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw StudyError(path + ": cannot be read; --only names a file of keys, one per line");
-  std::set<std::string> keys;
-  for (std::string key; file >> key;) keys.insert(key);
+  std::map<std::string, int> keys;
+  int number = 1;
+  for (std::string line; std::getline(file, line); ++number) {
+    std::istringstream words(line);
+    for (std::string key; words >> key;) keys.emplace(key, number);
+  }
+  if (keys.empty()) throw StudyError(path + ": holds no key; --only names a file of keys, one per line");
   return keys;
 }
 
-/// Leaves the jobs that have one of these keys.
-void keep_only(const std::set<std::string>& keys, std::vector<PlannedStudy>& planned) {
+/// Has only the jobs run whose keys are in a file. Throws StudyError naming those that no study has.
+void choose(const std::string& path, const std::map<std::string, int>& lines,
+            std::vector<PlannedStudy>& planned) {
+  std::unordered_set<std::string> keys, known;
+  for (const auto& [key, line] : lines) keys.insert(key);
+  std::string names;
   for (auto& study : planned) {
-    auto jobs = all_jobs(study.plan);
-    std::erase_if(jobs, [&](const Job& job) { return !keys.contains(job.key); });
-    for (auto& job : jobs) job.rung_of.reset();  // whoever names a key wants the job itself
-    study.plan = {study.plan.study, std::move(jobs), {}, {}, study.plan.cost};
+    study.selection.keys = keys;
+    for (const auto& job : jobs_to_run(study)) known.insert(job.key);
+    names += (names.empty() ? "" : ", ") + study.plan.study;
   }
+  std::string unknown;
+  std::size_t more = 0;
+  for (const auto& [key, line] : lines) {
+    if (known.contains(key)) continue;
+    if (++more <= 5) unknown += fmt::format("{}:{}: {}\n", path, line, key);
+  }
+  if (more > 5) unknown += fmt::format("and {} more\n", more - 5);
+  if (more > 0)
+    throw StudyError(unknown + "no job of " + names +
+                     " has such a key as the study is now; `mpmstudy plan --json` lists the keys, of 32 "
+                     "hexadecimal digits");
 }
 
 StudySource source_of(const Study& study, const StudyOptions& options) {
@@ -200,6 +222,14 @@ double share_of(const std::string& text) {
   if (end == 0 || (!rest.empty() && rest != "%") || !(share >= 0 && share <= 1))
     throw StudyError("--audit: " + text + ": not a share; write for example --audit \"5 %\"");
   return share;
+}
+
+/// A runner that says nothing for twelve periods is taken for gone where nobody can look for its process.
+void set_heartbeat(const RunOptions& options, WriterOptions& writer) {
+  const double period_s = read_duration("--heartbeat", options.heartbeat);
+  if (!(period_s > 0)) throw StudyError("--heartbeat: " + options.heartbeat + ": not above 0 s");
+  writer.heartbeat = std::chrono::milliseconds(static_cast<std::int64_t>(std::max(1.0, 1000 * period_s)));
+  writer.store.heartbeat_expires_s = 12 * period_s;
 }
 
 SearchOptions from(StudySource source, SearchOptions search) {
@@ -268,14 +298,20 @@ void warn_and_ask(const RunOptions& options, const std::vector<Study>& studies,
 std::vector<PlannedStudy> plan_studies(const RunOptions& options, const std::vector<Study>& studies,
                                        const CostModel& cost) {
   std::vector<PlannedStudy> planned;
-  const auto keys = options.only.empty() ? std::set<std::string>() : read_keys(options.only);
+  const auto keys = options.only.empty() ? std::map<std::string, int>() : read_keys(options.only);
   for (Study study : studies) {
     if (study.search && options.only.empty()) continue;
     if (study.search)
       study.scenes = possible_scenes(study, [&](const std::string& key) { return keys.contains(key); });
-    planned.push_back({make_plan(study, cost), study.title, source_of(study, options.study)});
+    planned.push_back({make_plan(study, cost), study.title, source_of(study, options.study), {}});
+    if (options.only.empty()) continue;
+    auto& members = planned.back().selection.members;
+    if (study.search || options.shard)
+      members = Members::also;
+    else if (!planned.back().plan.ladders.empty())
+      members = Members::at_least;
   }
-  if (!options.only.empty()) keep_only(keys, planned);
+  if (!options.only.empty()) choose(options.only, keys, planned);
   return planned;
 }
 
@@ -307,6 +343,10 @@ void setup_run(CLI::App& app, RunSeams given) {
                   "Processor time between the checkpoints from which a long job goes on; 0: none")
       ->type_name("\"60 s\"")
       ->capture_default_str();
+  verb.add_option("--heartbeat", options->heartbeat,
+                  "Period of signs of life; after twelve without one other machines may take the jobs")
+      ->type_name("\"5 s\"")
+      ->capture_default_str();
   verb.add_option("--budget", options->budget, "Start no more jobs after this time")->type_name("\"2 h\"");
   verb.add_option("--engine", options->engine, "Where jobs run: local, or slurm (a job array and its merge)")
       ->check(CLI::IsMember({"local", "slurm"}))
@@ -323,6 +363,7 @@ void setup_run(CLI::App& app, RunSeams given) {
       ->capture_default_str();
   verb.add_option("--round", options->slurm.round)->group("");  // said by the merge of the round before
   verb.add_option("--only", options->only, "Run the jobs whose keys are in this file")->type_name("FILE");
+  verb.add_flag("--shard", options->shard)->needs("--only")->group("");  // said by the elements of an array
   auto* quiet = verb.add_flag("-q,--quiet", options->quiet, "Failures and the summary only");
   verb.add_flag("-v,--verbose", options->verbose, "Lines instead of a live display, and more of them")
       ->excludes(quiet);
@@ -344,6 +385,8 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit), {}};
   const auto planned = plan_studies(options, studies, cost);
   if (options.only.empty()) say_what_is_replaced(studies, planned, options);
+  if (const auto note = share_note(options.results); !note.empty() && !options.dry_run)
+    fmt::print(stderr, "{}\n", note);
   if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
   if (options.only.empty()) warn_and_ask(options, studies, planned, cost);
   JobLabels labels(studies);
@@ -354,6 +397,7 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   const SignalGuard signals;
   WriterOptions writer_options;
   writer_options.store.git_revision = git_revision();
+  set_heartbeat(options, writer_options);
   CatalogWriter writer(options.results, writer_options);
   const auto status = make_status(options, labels);
   std::map<std::string, SearchReport> searches;  // by name of the study

@@ -28,13 +28,15 @@ struct RunOptions {
   int workers = 0;               ///< 0: as many as there are processors
   std::string engine = "local";  ///< or "slurm"
   SlurmOptions slurm;
-  std::string only;  ///< a file of keys: run no other jobs; "": all
+  std::string only;    ///< a file of keys: run no other jobs; "": all
+  bool shard = false;  ///< with `only`: a catalog of these jobs alone, which is merged into another one
   bool dry_run = false;
   bool retry_failed = false;
   int retries = 0;                  ///< how often a failed job is run again
   std::string timeout;              ///< of a job, "10 min"; "": none
   std::string memory;               ///< of a job, "2 GB"; "": none
   std::string checkpoint = "60 s";  ///< processor time between checkpoints of a job; "0": none
+  std::string heartbeat = "5 s";    ///< period of signs of life
   std::string budget;               ///< wall time after which no job is started, "2 h"; "": none
   bool quiet = false;
   bool verbose = false;

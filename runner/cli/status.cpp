@@ -60,7 +60,8 @@ Json to_json(const CatalogState& state, const std::vector<Submission>& submissio
                                {"by", job.by},
                                {"since", job.since},
                                {"attempt", job.attempt},
-                               {"gone", job.gone.empty() ? Json(nullptr) : Json(job.gone)}});
+                               {"gone", job.gone.empty() ? Json(nullptr) : Json(job.gone)},
+                               {"last_sign", job.last_sign.empty() ? Json(nullptr) : Json(job.last_sign)}});
   for (const auto& job : state.failed)
     json["failed"].push_back({{"key", job.key}, {"study", study_or_null(job.study)}, {"reason", job.reason}});
   return json;
@@ -103,7 +104,10 @@ void print_queue(const std::vector<Submission>& submissions) {
 }
 
 std::string abandoned(const RunningJob& job) {
-  if (job.gone.empty()) return "";
+  if (job.gone.empty())
+    return job.last_sign.empty()
+               ? ""
+               : ", another machine's: its last sign of life was at " + job.last_sign + " by its own clock";
   return ": " + job.gone + (job.study.empty() ? "" : "; `mpmstudy run` of its study takes the job up");
 }
 

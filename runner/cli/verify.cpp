@@ -1,7 +1,6 @@
 #include "runner/cli/verify.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,6 +11,7 @@
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/field_files.hpp"
+#include "runner/catalog/output_file.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/results_of.hpp"
 #include "runner/catalog/stored_jobs.hpp"
@@ -29,9 +29,7 @@ namespace fs = std::filesystem;
 /// A results folder that goes with its owner.
 class ScratchFolder {
  public:
-  explicit ScratchFolder(const fs::path& results) : path_(results / fmt::format("verify.{}.tmp", getpid())) {
-    fs::remove_all(path_);
-  }
+  explicit ScratchFolder(const fs::path& results) : path_(unique_name(results / "verify")) {}
   ~ScratchFolder() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);

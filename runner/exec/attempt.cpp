@@ -1,10 +1,13 @@
 #include "runner/exec/attempt.hpp"
-#include "libmpm/core/thread_clock.hpp"
 
 #include <fmt/format.h>
+
 #include <chrono>
 #include <exception>
 #include <new>
+
+#include "libmpm/core/thread_clock.hpp"
+#include "runner/exec/stopwatch.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -47,7 +50,8 @@ class JobObserver : public mpm::Observer {
       context_.progress(progress);
     }
     const double limit = context_.limits.seconds;
-    late_ = limit > 0 && std::chrono::duration<double>(now - start_).count() > limit;
+    const double seconds = watch_.seconds();
+    late_ = limit > 0 && seconds > limit;
     return !late_ && !context_.stopping();
   }
   int threads() override { return context_.threads(); }
@@ -55,7 +59,7 @@ class JobObserver : public mpm::Observer {
 
   mpm::Record* resume_from() override { return files_.checkpoint() ? &files_.checkpoint()->run : nullptr; }
   bool wants_checkpoint() override {
-    if (context_.checkpoint_s <= 0) return false;
+    if (context_.checkpoint_s <= 0 || context_.lost()) return false;
     const double since = mpm::thread_cpu_seconds() - saved_;
     return since > context_.checkpoint_s || (since > worth_saving && context_.stopping());
   }
@@ -73,7 +77,8 @@ class JobObserver : public mpm::Observer {
   JobFiles& files_;
   const Spending& spent_;
   double saved_ = mpm::thread_cpu_seconds();  // when
-  Clock::time_point start_ = Clock::now(), told_{};
+  Stopwatch watch_;
+  Clock::time_point told_{};
   mpm::Progress at_{};
   bool late_ = false;
 };
@@ -95,8 +100,9 @@ void simulate(const Job& job, const AttemptContext& context, JobFiles& files, co
   try {
     try {
       finished.result = context.simulate(job.scene, observer);
-    } catch (const mpm::InputError&) {
+    } catch (const mpm::InputError& error) {
       if (!files.checkpoint()) throw;
+      context.note(fmt::format("begins anew, since its checkpoint does not fit: {}", error.what()));
       files.forget_checkpoint();  // it is of another scene or program: from the start, then
       finished.result = context.simulate(job.scene, observer);
     }
@@ -130,9 +136,10 @@ Attempt attempt_job(const Job& job, const AttemptContext& context) {
   try {
     JobFiles files(context.results, job.key, context.write, context.checkpoint_s > 0);
     if (files.checkpoint()) spent.add(*files.checkpoint());
+    if (!files.why_anew().empty()) context.note("begins anew: " + files.why_anew());
     simulate(job, context, files, spent, finished);
     if (finished.result.status == mpm::RunStatus::stopped) {
-      files.discard();
+      if (!context.lost()) files.discard();
       attempt.end = Attempt::End::stopped;
       return attempt;
     }

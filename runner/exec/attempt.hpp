@@ -29,6 +29,10 @@ struct AttemptContext {
   std::function<void(const mpm::Progress&)> progress;  ///< at most twenty times a second
   std::function<int()> threads = [] { return 1; };  ///< that the next step may use; asked before every step
   double checkpoint_s = 0;                          ///< processor time between checkpoints [s]; 0: none
+  /// Another process has taken the job up: its files are that one's now, so nothing of them is touched.
+  std::function<bool()> lost = [] { return false; };
+  /// What a user has to know about this attempt: that it begins anew, and why.
+  std::function<void(const std::string&)> note = [](const std::string&) {};
 };
 
 /// How an attempt ended.

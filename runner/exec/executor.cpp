@@ -131,6 +131,7 @@ class Executor {
     for (std::int64_t retry = 0;;) {
       Attempt attempt = make_attempt(job, isolated);
       using enum Attempt::End;
+      if (attempt.end != decided && !ledger_.holds(job.key)) return taken_over(job);
       if (attempt.end == stopped) return let_go(job, "");
       if (attempt.end == storage) return stop_for_storage(job, attempt.why);
       if (attempt.end == crashed) {
@@ -158,11 +159,12 @@ class Executor {
                                  write_,
                                  options_.results,
                                  options_.limits,
-                                 [this] { return stopping(); },
+                                 [this, &job] { return stopping() || ledger_.lost(job.key); },
                                  [&](const mpm::Progress& p) { status_.job_progress(job, p); },
                                  [this] { return share_.load(std::memory_order_relaxed); },
-
-                                 options_.checkpoint_s};
+                                 options_.checkpoint_s,
+                                 [this, &job] { return ledger_.lost(job.key); },
+                                 [&](const std::string& text) { status_.job_noted(job, text); }};
     if (!isolated) return attempt_job(job, context);
     return server_.attempt(job, context);
   }
@@ -183,6 +185,18 @@ class Executor {
     share_threads();
     queue_.put_off(&job, milliseconds(options_.look_again_s));
     return false;
+  }
+
+  /// Another process has it now, since it held this one for gone: its result counts, and is waited for.
+  void taken_over(const Job& job) {
+    JobEnd end;
+    end.status = JobStatus::planned;
+    end.reason = "another process has taken it up";
+    status_.job_finished(job, end);
+    std::lock_guard lock(mutex_);
+    running_.erase(job.key);
+    share_threads();
+    queue_.put_off(&job, milliseconds(options_.look_again_s));
   }
 
   /// why: "" if the run was asked to stop.
@@ -209,7 +223,7 @@ class Executor {
     const bool failed = finished.status == JobStatus::failed;
     JobEnd end{finished.status,       finished.reason, finished.result.particles,
                finished.result.steps, finished.wall_s, finished.cpu_s};
-    ledger_.finish(std::move(finished));
+    if (!ledger_.finish(std::move(finished))) return taken_over(job);
     status_.job_finished(job, end);
     std::lock_guard lock(mutex_);
     running_.erase(job.key);

@@ -15,6 +15,7 @@
 #include <mutex>
 #include <system_error>
 
+#include "runner/exec/stopwatch.hpp"
 #include "runner/exec/wire.hpp"
 
 extern "C" {  // the header of glibc 2.36 forgets it
@@ -29,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 /// How long after its time is over a job may take to notice [s].
 constexpr double patience = 2;
 
-enum class Kind : std::uint8_t { progress, attempt, ended };
+enum class Kind : std::uint8_t { progress, attempt, ended, note };
 
 class Socket {
  public:
@@ -135,7 +136,9 @@ void bound_memory(std::uint64_t bytes) {
       [&] { return gone; },
       [&](const mpm::Progress& p) { gone = !send_message(socket, Kind::progress, &p, sizeof p); },
       [] { return 1; },
-      order.checkpoint_s};
+      order.checkpoint_s,
+      [] { return false; },
+      [&](const std::string& text) { send_message(socket, Kind::note, text.data(), text.size()); }};
   if (order.limits.memory > 0) bound_memory(order.limits.memory);
   const std::string answer = to_bytes(attempt_job(job, context));
   send_message(socket, Kind::attempt, answer.data(), answer.size());
@@ -211,7 +214,7 @@ namespace {
 [[noreturn]] void serve(int server, const Simulate& simulate, const WriteSnapshot& write,
                         const std::filesystem::path& results) {
   // Ctrl-C goes to every process of the terminal; what a stop means for a job is decided by the runner.
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) signal(number, SIG_IGN);
+  ignore_stop_signals();
   signal(SIGCHLD, SIG_IGN);  // guards need no waiting for
   std::string order;
   for (int socket = receive_request(server, order); socket >= 0; socket = receive_request(server, order)) {
@@ -262,6 +265,7 @@ Attempt JobServer::attempt(const Job& job, const AttemptContext& context) {
   std::optional<Attempt> attempt;
   mpm::Progress at{};
   const auto start = Clock::now();
+  Stopwatch watch;
   const double limit = context.limits.seconds;
   bool given_up = false, late = false;
   std::string crash = "the end of the one that started it";
@@ -270,6 +274,7 @@ Attempt JobServer::attempt(const Job& job, const AttemptContext& context) {
   while (answer.read(std::chrono::milliseconds(50))) {
     while (answer.next(kind, payload)) {
       if (kind == Kind::attempt) attempt = attempt_from_bytes(payload);
+      if (kind == Kind::note) context.note(payload);
       if (kind == Kind::progress && payload.size() == sizeof(mpm::Progress)) {
         std::memcpy(&at, payload.data(), sizeof at);
         context.progress(at);
@@ -280,7 +285,7 @@ Attempt JobServer::attempt(const Job& job, const AttemptContext& context) {
         crash = how(status);
       }
     }
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds = watch.seconds();
     late = limit > 0 && seconds > limit + patience;
     if (!given_up && (late || context.stopping())) {
       answer.give_up();

@@ -2,6 +2,7 @@
 /// The checkpoint of a job, fields/KEY/checkpoint.h5: what its run holds, and what the job has left so far.
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "libmpm/core/archive.hpp"
@@ -19,9 +20,10 @@ struct JobCheckpoint {
 /// Replaces the one that is there. Throws std::runtime_error naming path and cause.
 void write_job_checkpoint(const std::filesystem::path&, JobCheckpoint);
 
-/// Empty if there is none, if it cannot be read, was written by another program, or if a file that it counts
-/// on, under `results`, is not as it was written: then the job begins anew.
+/// Empty if there is none. Empty, and `why_not` says why, if it cannot be read, was written by another
+/// program, or if a file that it counts on, under `results`, is not as it was written: then the job begins
+/// anew.
 std::optional<JobCheckpoint> read_job_checkpoint(const std::filesystem::path&,
-                                                 const std::filesystem::path& results);
+                                                 const std::filesystem::path& results, std::string& why_not);
 
 }  // namespace mpmstudy

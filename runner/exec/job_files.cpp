@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/catalog/field_files.hpp"
+#include "runner/catalog/file_system.hpp"
 #include "runner/catalog/output_file.hpp"
 
 namespace mpmstudy {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 JobFiles::JobFiles(fs::path results, const std::string& key, WriteSnapshot write, bool go_on)
     : results_(std::move(results)), folder_(fs::path("fields") / key), write_(std::move(write)) {
-  if (go_on) checkpoint_ = read_job_checkpoint(results_ / folder_ / checkpoint_name, results_);
+  if (go_on) checkpoint_ = read_job_checkpoint(results_ / folder_ / checkpoint_name, results_, why_anew_);
   if (checkpoint_) {
     files_ = checkpoint_->files;
     kept_ = true;
@@ -28,7 +29,7 @@ void JobFiles::clear() {
   kept_ = false;
   std::error_code error;
   fs::remove_all(results_ / folder_, error);
-  if (error) throw StorageError((results_ / folder_).string() + ": " + error.message());
+  if (error) throw StorageError((results_ / folder_).string() + ": " + error.message() + denied());
 }
 
 void JobFiles::write_checkpoint(const mpm::Record& run, double wall_s, double cpu_s) {
@@ -37,7 +38,7 @@ void JobFiles::write_checkpoint(const mpm::Record& run, double wall_s, double cp
     write_job_checkpoint(results_ / folder_ / checkpoint_name, {run, files_, wall_s, cpu_s});
     kept_ = true;
   } catch (const std::exception& error) {
-    throw StorageError(error.what());
+    throw StorageError(error.what() + denied());
   }
 }
 
@@ -47,12 +48,12 @@ void JobFiles::add(const mpm::Snapshot& snapshot) {
     fs::create_directories(results_ / folder_);
     write_(results_ / path, snapshot);
     files_.push_back({snapshot.time, snapshot.step, path.string(),
-                      static_cast<std::int64_t>(fs::file_size(results_ / path)),
-                      checksum_of(results_ / path)});
+                      static_cast<std::int64_t>(fs::file_size(results_ / path)), checksum_of(results_ / path),
+                      modified_ns(results_ / path)});
   } catch (const StorageError&) {
     throw;
   } catch (const std::exception& error) {
-    throw StorageError(error.what());
+    throw StorageError(error.what() + denied());
   }
 }
 
@@ -66,9 +67,12 @@ void JobFiles::write_series() const {
   file.commit();
 }
 
+std::string JobFiles::denied() const { return who_may_if_denied(results_ / folder_); }
+
 std::vector<SnapshotFile> JobFiles::close() {
   std::error_code ignored;  // a checkpoint that stays is never looked at again
   fs::remove(results_ / folder_ / checkpoint_name, ignored);
+  fs::remove(results_ / folder_ / (std::string(checkpoint_name) + ".tmp"), ignored);  // of a kill
   if (files_.empty()) {
     fs::remove(results_ / folder_, ignored);
     return {};

@@ -34,6 +34,8 @@ class JobFiles {
 
   /// From which the run goes on, if it does.
   JobCheckpoint* checkpoint() { return checkpoint_ ? &*checkpoint_ : nullptr; }
+  /// Why the run begins anew although there is a checkpoint; "": it does not, or there is none.
+  const std::string& why_anew() const { return why_anew_; }
   /// The run begins anew. Throws StorageError.
   void forget_checkpoint() { clear(); }
   /// Throws StorageError.
@@ -49,11 +51,14 @@ class JobFiles {
  private:
   void clear();
   void write_series() const;
+  /// Who may write the folder, if this process may not; else "".
+  std::string denied() const;
 
   std::filesystem::path results_, folder_;
   WriteSnapshot write_;
   std::vector<SnapshotFile> files_;
   std::optional<JobCheckpoint> checkpoint_;
+  std::string why_anew_;
   bool kept_ = false;  ///< a checkpoint is on disk
 };
 

@@ -11,19 +11,32 @@
 namespace mpmstudy {
 namespace {
 
+/// Of a search only what is chosen: which of its possible jobs are its own is for the search to say. Of a
+/// ladder, the finer cells that are chosen, too.
+std::vector<Job> jobs_to_register(const PlannedStudy& study) {
+  if (study.selection.members == Members::also) return jobs_to_run(study);
+  auto jobs = first_jobs(study.plan);
+  if (!study.selection.keys) return jobs;
+  std::unordered_set<std::string> known;
+  for (const auto& job : jobs) known.insert(job.key);
+  for (auto& job : jobs_to_run(study))
+    if (!known.contains(job.key)) jobs.push_back(std::move(job));
+  return jobs;
+}
+
 /// Registers every study; gives back the jobs to run, each key once.
 std::vector<Job> register_all(std::span<const PlannedStudy> studies, bool retry_failed, CatalogWriter& writer,
                               RunReport& report, RunStart& start) {
   std::vector<Job> to_run;
   std::unordered_set<std::string> seen;
   for (const auto& study : studies) {
-    const auto jobs = first_jobs(study.plan);
-    const auto registered =
-        writer.register_study(study.plan.study, study.title, jobs, retry_failed, study.source);
+    const auto jobs = jobs_to_register(study);
+    const auto registered = writer.register_study(study.plan.study, study.title, jobs, retry_failed,
+                                                  study.source, study.selection);
     start.taken_up += registered.taken_up;
     start.damaged += registered.damaged;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      if (!seen.insert(jobs[i].key).second) continue;
+      if (!study.selection.has(jobs[i].key) || !seen.insert(jobs[i].key).second) continue;
       switch (registered.states[i]) {
         case JobStatus::done:
           ++report.reused;
@@ -61,7 +74,8 @@ void climb_ladders(std::span<const PlannedStudy> studies, bool retry_failed, Cat
                    const std::function<ExecutorReport(std::vector<Job>)>& execute,
                    const std::filesystem::path& results) {
   Climbs climbs(writer, results, retry_failed);
-  for (const auto& study : studies) climbs.add(study.plan);
+  for (const auto& study : studies)
+    if (!study.selection.keys) climbs.add(study.plan);  // who chooses jobs knows what they are for
   while (report.left() == 0) {
     auto jobs = climbs.next();
     if (jobs.empty()) break;
@@ -76,7 +90,7 @@ void climb_ladders(std::span<const PlannedStudy> studies, bool retry_failed, Cat
 double predicted_factor(std::span<const PlannedStudy> studies) {
   double factor = 1;
   for (const auto& study : studies)
-    if (const auto cost = total_cost(study.plan.cost, first_jobs(study.plan)); cost.interval)
+    if (const auto cost = total_cost(study.plan.cost, jobs_to_run(study)); cost.interval)
       factor = std::max(factor, cost.interval->high / cost.seconds);
   return factor;
 }
@@ -86,7 +100,7 @@ std::string stop_reason(const RunReport& report) {
   if (report.left() == 0) return {};
   if (report.executed.budget_spent) return "the budget is spent";
   if (report.signal == SIGINT) return "interrupted";
-  if (report.signal != 0) return "asked to end by signal " + std::to_string(report.signal);
+  if (report.signal != 0) return "asked to end by " + signal_name(report.signal);
   return "another run has changed the study";
 }
 
@@ -114,6 +128,13 @@ RunReport& RunReport::operator+=(const RunReport& next) {
   left_failed += next.left_failed;
   signal = next.signal != 0 ? next.signal : signal;
   return *this;
+}
+
+std::vector<Job> jobs_to_run(const PlannedStudy& study) {
+  if (!study.selection.keys) return first_jobs(study.plan);
+  auto jobs = all_jobs(study.plan);
+  std::erase_if(jobs, [&](const Job& job) { return !study.selection.has(job.key); });
+  return jobs;
 }
 
 int RunReport::exit_code() const {

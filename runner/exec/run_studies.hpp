@@ -14,7 +14,13 @@ struct PlannedStudy {
   Plan plan;
   std::string title;
   StudySource source = {};
+  /// Of a run that is to run some jobs only; all others stay what they are. Keys may be those of finer cells,
+  /// or of jobs that a search may ask for, as well.
+  Selection selection = {};
 };
+
+/// The jobs that a run of the study begins with: those of the plan that the selection has, each key once.
+std::vector<Job> jobs_to_run(const PlannedStudy&);
 
 struct RunReport {
   ExecutorReport executed;

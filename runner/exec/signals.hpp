@@ -1,7 +1,8 @@
 #pragma once
-/// The wish to stop. One flag a process, because a signal handler can reach nothing else; everything that
-/// reads it is given a StopFlag.
+/// The wish to stop, and the other signals that a run has to outlive. One flag per process, because a signal
+/// handler can reach nothing else; everything that reads it is given a StopFlag.
 #include <atomic>
+#include <string>
 
 namespace mpmstudy {
 
@@ -18,12 +19,21 @@ class StopFlag {
   std::atomic<int> signal_{0};
 };
 
-/// The flag that SIGINT and SIGTERM raise while a SignalGuard lives.
+/// The flag that is raised by the signals that ask for an end, while a SignalGuard lives.
 StopFlag& signal_flag();
 
-/// While it lives: the first SIGINT or SIGTERM raises signal_flag(); a second one ends the process at once,
-/// with 128 + its number (jobs then still named running are taken up by the next start). Clears the flag
-/// first and restores the old handlers last. One at a time, on the main thread.
+/// While it lives:
+///
+/// - INT, TERM, HUP, QUIT, USR1, USR2, XCPU, PWR: the first one raises signal_flag(). Another one ends the
+///   process at once with 128 + its number; jobs then still named running are taken up by the next start. No
+///   other wish: what comes within half a second (`timeout`, batch systems and init send one wish to process
+///   and group, or two signals in a row), and XCPU, which the kernel repeats every second.
+/// - HUP and QUIT stay ignored where they were (nohup; background of a shell).
+/// - PIPE: standard output or error whose reader has gone is replaced by /dev/null; see output_closed().
+/// - XFSZ is ignored: the write then fails with "File too large", as on a disk that is full.
+/// - CONT is counted; see resumptions().
+///
+/// Clears the flag first and restores the old handlers last. One at a time, on the main thread.
 class SignalGuard {
  public:
   SignalGuard();
@@ -31,5 +41,17 @@ class SignalGuard {
   SignalGuard(const SignalGuard&) = delete;
   SignalGuard& operator=(const SignalGuard&) = delete;
 };
+
+/// Has the reader of standard output gone (`mpmstudy run -v | head -3`)? What is printed is lost since.
+bool output_closed();
+
+/// How often the process has gone on after it was stopped (SIGSTOP, Ctrl-Z).
+int resumptions();
+
+/// "SIGHUP"
+std::string signal_name(int number);
+
+/// For a process that has to outlive what ends its parent: ignores the signals that ask for an end.
+void ignore_stop_signals();
 
 }  // namespace mpmstudy

@@ -63,7 +63,7 @@ class Reader {
 void members(auto& a, auto& x) requires requires { x.void_area; }
 { a(x.time), a(x.area), a(x.void_area); }
 void members(auto& a, auto& x) requires requires { x.checksum; }
-{ a(x.time), a(x.step), a(x.path), a(x.bytes), a(x.checksum); }
+{ a(x.time), a(x.step), a(x.path), a(x.bytes), a(x.checksum), a(x.modified_ns); }
 void members(auto& a, auto& x) requires requires { x.unit; }
 { a(x.name), a(x.value), a(x.unit), a(x.error); }
 

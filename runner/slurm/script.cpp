@@ -102,7 +102,7 @@ shard=$folder/shard-$SLURM_ARRAY_TASK_ID
 local=$(mktemp -d "${{TMPDIR:-/tmp}}/mpmstudy-XXXXXX") || exit 75
 trap 'rm -rf "$local"' EXIT
 {program} run "$folder/study.toml"{run} --yes -q -j {workers} \
-  --only "$folder/keys-$SLURM_ARRAY_TASK_ID.txt" --results "$local/results" &
+  --only "$folder/keys-$SLURM_ARRAY_TASK_ID.txt" --shard --results "$local/results" &
 trap 'kill -TERM $!' TERM INT
 wait $!
 code=$?

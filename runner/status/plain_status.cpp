@@ -57,6 +57,11 @@ class PlainStatus : public Status {
          << std::flush;
   }
 
+  void job_noted(const Job& job, const std::string& text) override {
+    std::lock_guard lock(mutex_);
+    out_ << short_key(job.key) << " " << text << "\n" << std::flush;
+  }
+
   void job_finished(const Job& job, const JobEnd& end) override {
     std::lock_guard lock(mutex_);
     last_.erase(job.key);

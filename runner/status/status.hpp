@@ -53,6 +53,8 @@ class Status {
   virtual void jobs_added(std::int64_t /*jobs*/, double /*predicted_seconds*/) {}
   virtual void job_started(const Job&) {}
   virtual void job_progress(const Job&, const mpm::Progress&) {}
+  /// Something that a user has to know about a job that runs: "begins anew: ...".
+  virtual void job_noted(const Job&, const std::string& /*text*/) {}
   virtual void job_finished(const Job&, const JobEnd&) {}
   virtual void run_finished(const RunEnd&) {}
 };

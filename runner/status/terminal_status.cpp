@@ -56,6 +56,13 @@ class TerminalStatus : public Status {
     redraw(false);
   }
 
+  void job_noted(const Job& job, const std::string& text) override {
+    std::lock_guard lock(mutex_);
+    wipe();
+    out_ << short_key(job.key) << " " << text << "\n";
+    redraw(true);
+  }
+
   void job_finished(const Job& job, const JobEnd& end) override {
     std::lock_guard lock(mutex_);
     std::erase_if(running_, [&](const auto& line) { return line.key == job.key; });

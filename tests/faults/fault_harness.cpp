@@ -3,6 +3,7 @@
 //   fault_harness --kills 300 [--seed S] [--program FILE] [--study FILE] [--folder DIR]
 //   fault_harness --disk 100 [--every 7]
 //   fault_harness --read-only
+//   fault_harness --disturb 300 [--seed S]
 //   fault_harness --compare RESULTS RESULTS
 #include <fmt/format.h>
 #include <unistd.h>
@@ -43,6 +44,7 @@ int run(const Options& options) {
   }
   const Undisturbed expected = run_undisturbed(options);
   if (options.read_only) return lock_folders(options, expected);
+  if (options.disturb > 0) return disturb_runs(options, expected);
   return options.disk > 0 ? fail_disks(options, expected) : kill_runs(options, expected);
 }
 
@@ -58,6 +60,8 @@ int main(int argc, char** argv) {
   app.add_option("--disk", options.disk, "Instead: how many failures of the disk, of each kind");
   app.add_option("--every", options.every, "Changes of the disk between two failures")->capture_default_str();
   app.add_flag("--read-only", options.read_only, "Instead: folders that cannot be written");
+  app.add_option("--disturb", options.disturb,
+                 "Instead: how many signals, to one runner, two, two hosts and two namespaces");
   app.add_option("--seed", options.seed, "Of the moments")->capture_default_str();
   app.add_option("--program", options.program, "mpmstudy")->capture_default_str();
   app.add_option("--study", options.study, "Study file")->capture_default_str();

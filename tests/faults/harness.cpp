@@ -23,17 +23,22 @@ namespace fs = std::filesystem;
 pid_t start(const Options& options, const fs::path& results,
             const std::map<std::string, std::string>& environment, std::vector<std::string> words) {
   if (words.empty()) words = {"run", options.study, "--results", results.string(), "-j", "2", "-q"};
+  words.insert(words.begin(), options.program);
+  return start_words(std::move(words), environment, -1, results.string() + ".log");
+}
+
+pid_t start_words(std::vector<std::string> words, const std::map<std::string, std::string>& environment,
+                  int output, const std::string& errors) {
   const pid_t child = fork();
   if (child != 0) return child;
   for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
-  const int log = open((results.string() + ".log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
-  dup2(log, STDOUT_FILENO);
+  const int log = open(errors.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+  dup2(output >= 0 ? output : log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
-  words.insert(words.begin(), options.program);
   std::vector<char*> arguments;
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  execv(options.program.c_str(), arguments.data());
+  execvp(arguments[0], arguments.data());
   _exit(127);
 }
 

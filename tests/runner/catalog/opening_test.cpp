@@ -2,6 +2,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
+#include "runner/catalog/file_system.hpp"
 #include "runner/catalog/reader.hpp"
 #include "tests/runner/fakes.hpp"
 
@@ -278,6 +280,47 @@ TEST_F(Opening, a_results_folder_that_cannot_be_is_refused) {
 TEST_F(Opening, a_folder_in_the_place_of_the_catalog_is_refused) {
   fs::create_directories(path);
   EXPECT_THAT(message_of([&] { open_for_writing(results); }), HasSubstr("cannot be opened"));
+}
+
+TEST_F(Opening, the_umask_decides_who_may_use_the_files) {
+  for (const auto& [mask, mode] : {std::pair{0002, 0664}, {0077, 0600}, {0022, 0644}}) {
+    const auto here = folder.path() / std::to_string(mask);
+    const auto old = umask(static_cast<mode_t>(mask));
+    auto next = current_catalog_schema();
+    next.migrations.push_back({version + 1, "CREATE TABLE later (a INTEGER) STRICT;"});
+    open_for_writing(here);
+    const auto db = open_for_writing(here, next);  // with a copy of the file before
+    db->exec("INSERT INTO later VALUES (1)");
+    umask(old);
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(here)) {
+      EXPECT_EQ(static_cast<int>(entry.status().permissions()), mode) << entry.path();
+      ++files;
+    }
+    EXPECT_EQ(files, 4u);  // catalog.db, its log, the log's index, the copy
+  }
+}
+
+TEST_F(Opening, what_cannot_be_opened_is_named_with_its_owner_and_mode) {
+  fs::create_directories(results);
+  fs::create_symlink(folder.path() / "nowhere" / "catalog.db", path);
+  fs::permissions(results, fs::perms(0750));
+  const auto message = message_of([&] { open_for_writing(results); });
+  EXPECT_THAT(message, HasSubstr("cannot be opened"));
+  EXPECT_THAT(message, HasSubstr("mode 0750"));
+  EXPECT_THAT(message, HasSubstr("(" + std::to_string(geteuid()) + ")"));
+}
+
+TEST_F(Opening, file_systems_are_known_by_their_numbers) {
+  EXPECT_EQ(file_system_with(0x6969).name, "NFS");
+  for (const long shared : {0x6969L, 0x0BD00BD0L, 0xFF534D42L,
+                            static_cast<long>(static_cast<int>(0xFF534D42)), 0x65735546L, 0x47504653L}) {
+    EXPECT_TRUE(file_system_with(shared).shared) << std::hex << shared;
+    EXPECT_FALSE(file_system_with(shared).local) << std::hex << shared;
+  }
+  for (const long local : {0xEF53L, 0x58465342L, 0x9123683EL, 0x01021994L, 0x794C7630L, 0x2FC12FC1L})
+    EXPECT_TRUE(file_system_with(local).local && !file_system_with(local).shared) << std::hex << local;
+  EXPECT_FALSE(file_system_with(0x12345).shared || file_system_with(0x12345).local);
 }
 
 TEST_F(Opening, many_at_once_make_one_catalog) {

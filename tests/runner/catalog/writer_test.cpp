@@ -1,4 +1,5 @@
 // The writer: whole rows, exact bits, states that tell the truth, readers beside it.
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,10 +9,12 @@
 #include <cmath>
 #include <csignal>
 #include <fstream>
+#include <optional>
 #include <thread>
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/field_files.hpp"
+#include "runner/catalog/heartbeats.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/catalog/stored_jobs.hpp"
@@ -174,9 +177,7 @@ TEST_F(Writer, a_result_of_a_job_that_is_not_ours_is_an_error) {
   CatalogWriter writer(folder.path());
   const auto jobs = fakes::plan(1).jobs;
   writer.register_study("s", "S", jobs, false);
-  writer.finish(finished(jobs[0]));  // never claimed
-  EXPECT_THROW(writer.flush(), CatalogError);
-  EXPECT_THROW(writer.claim(jobs[0].key), CatalogError);
+  EXPECT_THROW(writer.finish(finished(jobs[0])), CatalogError);  // never claimed
   EXPECT_EQ(count("jobs WHERE status = 'planned'"), 1);
   EXPECT_EQ(count("metrics"), 0);
 }
@@ -208,8 +209,8 @@ TEST_F(Writer, jobs_of_a_process_that_is_gone_are_planned_again) {
   EXPECT_EQ(registration.to_run.size(), 1u);
   EXPECT_EQ(count("events WHERE from_status = 'running' AND to_status = 'planned' AND reason LIKE '%gone%'"),
             1);
-  zombie.finish(finished(jobs[0]));  // too late: the job is not its own any longer
-  zombie.flush();
+  EXPECT_FALSE(zombie.holds(jobs[0].key));
+  EXPECT_FALSE(zombie.finish(finished(jobs[0])));  // too late: the job is not its own any longer
   EXPECT_EQ(count("jobs WHERE status = 'planned' AND crashes = 1"), 1);
   EXPECT_EQ(count("metrics"), 0);
 }
@@ -289,6 +290,7 @@ class FieldFiles : public Writer {
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path) << "ten bytes!";
     f.snapshots[0].checksum = checksum_of(path);
+    f.snapshots[0].modified_ns = modified_ns(path);
     writer.finish(f);
     writer.flush();
   }
@@ -331,10 +333,148 @@ TEST_F(Writer, jobs_of_another_host_are_its_own_while_it_gives_signs_of_life) {
   ASSERT_TRUE(other.claim(jobs[0].key));
   CatalogWriter writer(folder.path());
   EXPECT_EQ(writer.register_study("s", "S", jobs, false).running_elsewhere, 1);
-  WriterOptions impatient;
-  impatient.store.heartbeat_expires_s = -1;
-  CatalogWriter later(folder.path(), impatient);
-  EXPECT_EQ(later.register_study("s", "S", jobs, false).taken_up, 1);
+}
+
+/// Runners of one folder that can not look for each other: judged by their signs of life alone.
+class Machines : public Writer {
+ protected:
+  static WriterOptions machine(const std::string& host, const std::string& name_space = "pid:[1] ") {
+    WriterOptions options;
+    options.store.process.host = host;
+    options.store.process.name_space = name_space;
+    options.store.heartbeat_expires_s = 0.4;
+    options.heartbeat = std::chrono::milliseconds(20);
+    return options;
+  }
+  /// A process that has claimed the job, and then says nothing any longer.
+  std::unique_ptr<CatalogWriter> silent(WriterOptions options) {
+    options.heartbeat = std::chrono::hours(1);
+    auto writer = std::make_unique<CatalogWriter>(folder.path(), options);
+    writer->register_study("s", "S", jobs, false);
+    EXPECT_TRUE(writer->claim(jobs[0].key));
+    return writer;
+  }
+  /// Asks for the job until `writer` gets it, for so long.
+  bool gets_the_job(CatalogWriter& writer, std::chrono::milliseconds time) {
+    for (const auto end = std::chrono::steady_clock::now() + time; std::chrono::steady_clock::now() < end;
+         std::this_thread::sleep_for(std::chrono::milliseconds(10)))
+      if (writer.claim(jobs[0].key)) return true;
+    return false;
+  }
+  const std::vector<Job> jobs = fakes::plan(1).jobs;
+};
+
+TEST_F(FieldFiles, also_by_a_machine_whose_clock_is_behind) {
+  std::ofstream(path) << "ten bytes?";
+  std::filesystem::last_write_time(path,
+                                   std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_EQ(damaged(), 1);
+}
+
+TEST_F(Machines, a_process_of_another_namespace_is_not_gone_because_its_number_is_unknown_here) {
+  auto options = machine(this_process().host);
+  options.store.process.pid = 1'000'000'000;  // nobody has it here
+  options.store.heartbeat_expires_s = 60;
+  const auto other = silent(options);
+  CatalogWriter writer(folder.path());
+  EXPECT_EQ(writer.register_study("s", "S", jobs, false).running_elsewhere, 1);
+  EXPECT_FALSE(writer.claim(jobs[0].key));
+  const auto state = read_state(folder.path());
+  EXPECT_EQ(state.running.at(0).gone, "");
+  EXPECT_THAT(state.running.at(0).last_sign, testing::HasSubstr("T"));
+}
+
+TEST_F(Machines, nor_one_of_another_boot_of_a_host_with_this_name) {
+  WriterOptions options;
+  options.store.process.boot_id = "another";
+  const auto other = silent(options);
+  CatalogWriter writer(folder.path());
+  EXPECT_EQ(writer.register_study("s", "S", jobs, false).running_elsewhere, 1);
+}
+
+TEST_F(Machines, one_that_gives_signs_of_life_keeps_its_job_whatever_the_clocks_say) {
+  CatalogWriter other(folder.path(), machine("a"));
+  other.register_study("s", "S", jobs, false);
+  ASSERT_TRUE(other.claim(jobs[0].key));
+  CatalogWriter writer(folder.path(), machine("b"));
+  SQLite::Database db((folder.path() / "catalog.db").string(), SQLite::OPEN_READWRITE, 5000);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1200);
+  for (int i = 0; std::chrono::steady_clock::now() < end; ++i) {
+    // Its clock is years behind, ahead, or stands still.
+    db.exec(i % 2 ? "UPDATE runner SET heartbeat_at = '2000-01-01T00:00:00.000Z' WHERE host = 'a'"
+                  : "UPDATE runner SET heartbeat_at = '2900-01-01T00:00:00.000Z' WHERE host = 'a'");
+    ASSERT_FALSE(gets_the_job(writer, std::chrono::milliseconds(50)));
+  }
+}
+
+TEST_F(Machines, one_that_is_silent_loses_its_job_and_learns_it) {
+  const auto other = silent(machine("a"));
+  CatalogWriter writer(folder.path(), machine("b"));
+  EXPECT_TRUE(gets_the_job(writer, std::chrono::seconds(5)));
+  EXPECT_FALSE(other->holds(jobs[0].key));
+  EXPECT_FALSE(other->finish(finished(jobs[0])));
+  EXPECT_TRUE(writer.finish(finished(jobs[0])));
+  EXPECT_EQ(count("events WHERE to_status = 'done'"), 1);
+}
+
+TEST_F(Machines, a_runner_is_told_at_its_next_sign_of_life_which_jobs_it_has_lost) {
+  CatalogWriter other(folder.path(), machine("a"));
+  other.register_study("s", "S", jobs, false);
+  ASSERT_TRUE(other.claim(jobs[0].key));
+  EXPECT_FALSE(other.lost(jobs[0].key));
+  SQLite::Database((folder.path() / "catalog.db").string(), SQLite::OPEN_READWRITE, 5000)
+      .exec("UPDATE job SET status = 'planned', runner_id = NULL");
+  for (int i = 0; i < 500 && !other.lost(jobs[0].key); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_TRUE(other.lost(jobs[0].key));
+  EXPECT_TRUE(other.claim(jobs[0].key));
+  EXPECT_FALSE(other.lost(jobs[0].key));
+}
+
+TEST(Heartbeats, silence_is_counted_on_ones_own_clock_since_the_sign_last_changed) {
+  using namespace std::chrono_literals;
+  Heartbeats heartbeats;
+  const Heartbeats::Clock::time_point start{};
+  EXPECT_EQ(heartbeats.silence(7, "a", 15, start), 0);
+  EXPECT_EQ(heartbeats.silence(7, "a", 15, start + 5s), 5);
+  EXPECT_EQ(heartbeats.silence(7, "a", 15, start + 10s), 10);
+  EXPECT_EQ(heartbeats.silence(7, "b", 15, start + 15s), 0);
+  EXPECT_EQ(heartbeats.silence(8, "a", 15, start + 15s), 0);  // another runner
+  // This process was stopped, or the share hung: others had no time to say anything either.
+  EXPECT_EQ(heartbeats.silence(7, "b", 15, start + 1000s), 15);
+  EXPECT_EQ(heartbeats.silence(7, "b", 15, start + 1001s), 16);
+}
+
+TEST_F(Writer, a_copy_of_the_file_alone_has_the_rows) {
+  const auto jobs_in_copy = [&]() -> std::int64_t {
+    fakes::TemporaryFolder copy;
+    std::filesystem::copy_file(folder.path() / "catalog.db", copy.path() / "catalog.db");
+    try {
+      return std::get<std::int64_t>(query(copy.path(), "SELECT count(*) FROM jobs").rows[0][0]);
+    } catch (const CatalogError&) {
+      return 0;  // not there yet
+    }
+  };
+  WriterOptions options;
+  options.heartbeat = options.move_log = std::chrono::milliseconds(10);
+  CatalogWriter writer(folder.path(), options);
+  writer.register_study("s", "S", fakes::plan(3).jobs, false);
+  for (int i = 0; i < 500 && jobs_in_copy() < 3; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(jobs_in_copy(), 3);
+}
+
+TEST_F(Writer, at_its_end_the_file_alone_has_the_rows_although_somebody_has_it_open) {
+  std::optional<SQLite::Database> reader;
+  {
+    CatalogWriter writer(folder.path());
+    reader.emplace((folder.path() / "catalog.db").string(), SQLite::OPEN_READONLY);
+    reader->execAndGet("SELECT count(*) FROM job");  // has the log open from here on
+    writer.register_study("s", "S", fakes::plan(3).jobs, false);
+  }
+  fakes::TemporaryFolder copy;
+  std::filesystem::copy_file(folder.path() / "catalog.db", copy.path() / "catalog.db");
+  EXPECT_EQ(std::get<std::int64_t>(query(copy.path(), "SELECT count(*) FROM jobs").rows[0][0]), 3);
 }
 
 TEST_F(Writer, readers_see_whole_rows_while_it_writes) {

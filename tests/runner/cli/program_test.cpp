@@ -209,6 +209,59 @@ TEST_F(Stops, termination_ends_with_75) {
   EXPECT_EQ(count("status = 'planned'"), 2u);
 }
 
+TEST_F(Stops, every_signal_that_asks_for_an_end_ends_in_order_with_75) {
+  for (const int number : {SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU, SIGPWR}) {
+    const pid_t child = start_long_run();
+    kill(child, number);
+    EXPECT_EQ(wait_for(child), 75) << output;
+    EXPECT_THAT(output, HasSubstr(std::string("stopped: asked to end by SIG") + sigabbrev_np(number)));
+    EXPECT_EQ(count("status = 'planned' AND crashes = 0"), 2u) << sigabbrev_np(number);
+  }
+}
+
+TEST_F(Stops, one_wish_that_is_sent_twice_ends_in_order) {  // as timeout(1) and systemd do
+  const pid_t child = start_long_run();
+  for (const int number : {SIGTERM, SIGTERM, SIGHUP, SIGCONT}) kill(child, number);
+  EXPECT_EQ(wait_for(child), 75) << output;
+  EXPECT_EQ(count("status = 'planned' AND crashes = 0"), 2u);
+}
+
+TEST_F(Stops, a_hangup_does_not_end_what_was_started_with_nohup) {
+  signal(SIGHUP, SIG_IGN);  // a child inherits it
+  const pid_t child = start_long_run();
+  signal(SIGHUP, SIG_DFL);
+  kill(child, SIGHUP);
+  usleep(300'000);
+  EXPECT_EQ(waitpid(child, nullptr, WNOHANG), 0);
+  kill(child, SIGTERM);
+  EXPECT_EQ(wait_for(child), 75) << output;
+}
+
+TEST_F(Stops, a_run_that_is_stopped_and_goes_on_keeps_its_jobs) {
+  const pid_t child = start_long_run();
+  kill(child, SIGSTOP);
+  usleep(100'000);
+  ASSERT_EQ(run({"status", "--json", "--results", results}), 0);
+  EXPECT_THAT(output, HasSubstr("\"gone\": null"));
+  kill(child, SIGCONT);
+  kill(child, SIGINT);
+  EXPECT_EQ(wait_for(child), 130) << output;
+  EXPECT_EQ(count("status = 'planned' AND crashes = 0"), 2u);
+}
+
+TEST_F(Program, a_reader_that_goes_ends_the_printing_and_not_the_run) {
+  const std::string command = std::string(PROGRAM " run -v ") + smoke + " --results " + results +
+                              " -j 1 2> " + log + "; echo $? > " + log + ".code) | head -1 > /dev/null";
+  ASSERT_EQ(std::system(("(" + command).c_str()), 0);
+  int code = -1;
+  std::ifstream(log + ".code") >> code;
+  EXPECT_EQ(code, 0);
+  std::stringstream said;
+  said << std::ifstream(log).rdbuf();
+  EXPECT_THAT(said.str(), HasSubstr("the reader of standard output has gone"));
+  EXPECT_EQ(query(results, "SELECT key FROM jobs WHERE status = 'done' AND attempt = 1").rows.size(), 2u);
+}
+
 TEST_F(Stops, a_killed_run_is_taken_up) {
   const pid_t child = start_long_run();
   kill(child, SIGKILL);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <fstream>
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/query.hpp"
@@ -153,6 +154,79 @@ TEST_F(RunVerb, amounts_that_are_none_are_refused_before_anything_is_written) {
   EXPECT_EQ(read_duration("--budget", "90"), 90);
   EXPECT_EQ(read_bytes("--memory", "1.5 GiB"), 1610612736u);
   EXPECT_EQ(read_bytes("--memory", "500MB"), 500000000u);
+}
+
+/// Of some jobs only, by a file of keys.
+class Only : public RunVerb {
+ protected:
+  Only() {
+    options.files = {SOURCE_DIR "/studies/smoke.toml"};
+    const Study study = read_study(options.files[0], options.study);
+    for (const auto& job : make_plan(study).jobs) keys.push_back(job.key);
+  }
+  void choose(const std::vector<std::string>& some) {
+    options.only = (folder.path() / "keys.txt").string();
+    std::ofstream file(options.only);
+    for (const auto& key : some) file << key << "\n";
+  }
+  std::size_t count(const std::string& where) {
+    return query(options.results, "SELECT key FROM jobs WHERE study = 'smoke' AND " + where).rows.size();
+  }
+  std::vector<std::string> keys;
+};
+
+TEST_F(Only, all_jobs_are_registered_and_the_chosen_ones_run) {
+  choose({keys[0]});
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_EQ(simulated, 1);
+  EXPECT_EQ(count("status = 'done' AND key = '" + keys[0] + "'"), 1u);
+  EXPECT_EQ(count("status = 'planned'"), 1u);
+  EXPECT_THAT(output, testing::HasSubstr("1 done, 0 failed, 0 reused, 0 left"));
+  EXPECT_TRUE(finished.empty());
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_EQ(count("status = 'planned'"), 1u) << "what others have planned stays planned";
+}
+
+TEST_F(Only, nothing_leaves_the_study) {
+  run();
+  choose({keys[1]});
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_EQ(simulated, 2);
+  EXPECT_EQ(count("status = 'done'"), 2u);
+}
+
+TEST_F(Only, failed_jobs_that_are_not_chosen_stay_failed) {
+  const auto simulate = seams.simulate;
+  seams.simulate = [](const mpm::Scene&, mpm::Observer&) -> mpm::RunResult { throw std::runtime_error("x"); };
+  run();
+  seams.simulate = simulate;
+  options.retry_failed = true;
+  choose({keys[0]});
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_EQ(count("status = 'failed'"), 1u);
+  EXPECT_EQ(simulated, 1);
+}
+
+TEST_F(Only, keys_that_no_study_has_are_named) {
+  const std::string strange(32, 'e');
+  choose({keys[0], strange});
+  try {
+    run();
+    FAIL();
+  } catch (const StudyError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr(options.only + ":2: " + strange));
+    EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr(keys[0])));
+  }
+  choose({});
+  EXPECT_THROW(run(), StudyError);
+  EXPECT_FALSE(std::filesystem::exists(options.results));
+}
+
+TEST_F(Only, a_dry_run_lists_the_chosen_ones) {
+  choose({keys[0]});
+  options.dry_run = true;
+  EXPECT_EQ(run(), exit_ok);
+  EXPECT_THAT(output, testing::HasSubstr("1 job would run"));
 }
 
 TEST_F(RunVerb, two_studies_need_two_names) {

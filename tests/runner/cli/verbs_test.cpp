@@ -97,6 +97,9 @@ TEST_F(Verbs, explain_says_why_a_job_failed_and_retry_plans_it_again) {
   EXPECT_EQ(verb({"run", study, "-q"}), 1);  // left so
   EXPECT_EQ(verb({"retry", "--kind", "timeout"}), 0);
   EXPECT_THAT(output, HasSubstr("0 jobs planned again"));
+  EXPECT_EQ(verb({"retry", "--study", "nobody"}), 2);
+  EXPECT_THAT(output, HasSubstr("there is no study 'nobody'"));
+  EXPECT_EQ(verb({"retry", "--kind", "timeout", key}), 1);  // it failed in another way
   EXPECT_EQ(verb({"retry", key.substr(0, 12)}), 0);
   EXPECT_THAT(output, HasSubstr("1 job planned again"));
   EXPECT_EQ(verb({"retry", key}), 1);

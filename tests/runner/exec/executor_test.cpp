@@ -31,11 +31,15 @@ class MemoryLedger : public Ledger {
     std::lock_guard lock(mutex);
     return ++crashes[key];
   }
-  void finish(FinishedJob job) override {
+  bool finish(FinishedJob job) override {
     std::lock_guard lock(mutex);
     if (disk_full) throw std::runtime_error("disk full");
+    if (taken_up == job.key) return false;
     finished[job.key] = std::move(job);
+    return true;
   }
+  bool lost(const std::string& key) const override { return taken_up == key; }
+  bool holds(const std::string& key) override { return taken_up != key; }
   void release(const std::string& key, const std::string&) override {
     std::lock_guard lock(mutex);
     released.push_back(key);
@@ -43,8 +47,8 @@ class MemoryLedger : public Ledger {
   void flush() override {}
 
   std::mutex mutex;
-  std::string refuse;
-  int refusals = 0;  // for which another process runs it; then it has decided it
+  std::string refuse, taken_up;  // keys
+  int refusals = 0;              // for which another process runs it; then it has decided it
   std::map<std::string, std::int64_t> crashes;
   bool disk_full = false;
   std::vector<std::string> claimed, released;
@@ -169,6 +173,35 @@ TEST_F(ExecutorTest, jobs_of_others_are_left_alone) {
   EXPECT_EQ(report.done_elsewhere, 1);
   EXPECT_EQ(report.done, 2);
   EXPECT_EQ(report.left(), 0);
+}
+
+TEST_F(ExecutorTest, a_result_that_is_refused_is_not_counted) {
+  ledger.refusals = -1;  // whoever took it up has decided it
+  const auto simulate = [&](const mpm::Scene& s, mpm::Observer& o) {
+    if (s.cavity_radius == 1e-6 / 3) ledger.taken_up = fakes::key(3);  // meanwhile
+    auto r = fakes::simulate(s, o);
+    ledger.refuse = ledger.taken_up;
+    return r;
+  };
+  const auto report = run(fakes::plan(3).jobs, simulate);
+  EXPECT_EQ(report.done, 2);
+  EXPECT_EQ(report.done_elsewhere, 1);
+  EXPECT_EQ(report.left(), 0);
+  EXPECT_FALSE(ledger.finished.contains(fakes::key(3)));
+}
+
+TEST_F(ExecutorTest, files_of_a_job_that_was_taken_up_are_left_to_the_one_that_has_it) {
+  const auto simulate = [&](const mpm::Scene& s, mpm::Observer& o) {
+    ledger.taken_up = ledger.refuse = fakes::key(1);
+    ledger.refusals = -1;
+    const auto theirs = folder.path() / "fields" / fakes::key(1) / "theirs";
+    fs::create_directories(theirs.parent_path());
+    std::ofstream(theirs) << "x";
+    return fakes::simulate(s, o);
+  };
+  EXPECT_EQ(run({fakes::job(1)}, simulate).done_elsewhere, 1);
+  EXPECT_TRUE(fs::exists(folder.path() / "fields" / fakes::key(1) / "theirs"));
+  EXPECT_TRUE(ledger.released.empty());
 }
 
 TEST_F(ExecutorTest, a_stop_ends_the_wait_for_others) {
@@ -312,6 +345,25 @@ TEST_F(ExecutorTest, a_worker_that_does_not_let_go_is_abandoned_and_its_job_plan
   EXPECT_TRUE(abandoned);
 }
 
+TEST_F(ExecutorTest, the_time_for_which_the_process_was_stopped_is_not_the_jobs) {
+  const SignalGuard signals;
+  options.limits.seconds = 0.4;
+  const auto simulate = [](const mpm::Scene& s, mpm::Observer& o) {
+    const pid_t me = getpid();
+    if (fork() == 0) {
+      usleep(600'000);
+      kill(me, SIGCONT);
+      _exit(0);
+    }
+    o.on_step({0, 0, s.end_time, 0, 1});
+    raise(SIGSTOP);
+    return fakes::simulate(s, o);
+  };
+  const auto report = run({fakes::job(1)}, simulate);
+  EXPECT_EQ(report.done, 1);
+  EXPECT_EQ(report.failed, 0);
+}
+
 TEST_F(ExecutorTest, a_spent_budget_starts_no_more_jobs) {
   options.budget_s = 0.02;
   const auto slow = [](const mpm::Scene& s, mpm::Observer& o) {
@@ -351,11 +403,21 @@ TEST(Signals, the_first_asks) {
   EXPECT_EQ(signal_flag().signal(), SIGTERM);
 }
 
+TEST(Signals, one_wish_may_come_twice_and_the_kernel_repeats_its_own) {
+  const SignalGuard guard;
+  for (const int number : {SIGTERM, SIGTERM, SIGHUP}) std::raise(number);
+  EXPECT_EQ(signal_flag().signal(), SIGTERM);
+  usleep(600'000);
+  std::raise(SIGXCPU);
+  EXPECT_EQ(signal_flag().signal(), SIGTERM);
+}
+
 TEST(SignalsDeathTest, the_second_ends_at_once) {
   EXPECT_EXIT(
       {
         const SignalGuard guard;
         std::raise(SIGINT);
+        usleep(600'000);
         std::raise(SIGINT);
       },
       testing::ExitedWithCode(130), "");
