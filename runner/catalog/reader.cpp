@@ -8,6 +8,7 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/process.hpp"
 #include "runner/catalog/runner_row.hpp"
+#include "runner/catalog/schema.hpp"
 #include "runner/catalog/timestamp.hpp"
 
 namespace mpmstudy {
@@ -54,9 +55,7 @@ CatalogState read_all(SQLite::Database& db) {
   SQLite::Transaction one_moment(db);
   state.studies = read_studies(db);
   state.no_study = read_no_study(db);
-  state.stale =
-      db.execAndGet("SELECT count(*) FROM job WHERE physics_version < (SELECT version FROM physics)")
-          .getInt64();
+  state.stale = db.execAndGet("SELECT count(*) FROM job WHERE " + stale_sql()).getInt64();
   const auto now = utc_now();
   SQLite::Statement running(db,
                             "SELECT j.key, s.name, j.started_at, j.attempt, " + std::string(runner_columns) +

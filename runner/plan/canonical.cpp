@@ -4,6 +4,7 @@
 #include <xxhash.h>
 
 #include "libmpm/scene/parameters.hpp"
+#include "libmpm/scene/physics_version.hpp"
 #include "libmpm/simulation.hpp"
 #include "runner/plan/plan.hpp"
 
@@ -20,7 +21,7 @@ void append_number(std::string& text, double value) {
 }  // namespace
 
 std::string canonical_text(const mpm::Scene& scene, std::span<const mpm::Quantity> rows) {
-  std::string text = "physics_version=" + std::to_string(mpm::physics_version) + "\n";
+  std::string text = "physics_version=" + std::to_string(mpm::physics_version_of(scene)) + "\n";
   text.append("scene=").append(mpm::to_string(scene.kind)).append("\n");
   for (const mpm::Quantity& row : rows) {
     if (row.derived || !row.belongs_to(scene.kind) || row.get(scene) == row.implied) continue;
