@@ -42,16 +42,17 @@ std::unique_ptr<Stepper> reference_stepper(const Scene& s) {
   throw std::logic_error("a scheme that is not compiled");
 }
 
+template <class Real>
+std::unique_ptr<Stepper> fast_stepper_of(const Scene& s) {
+  using Fast = fast::FastStepper<Real>;
+  const bool gimp = s.numerics.scheme == ShapeFunction::gimp;
+  return std::make_unique<Fast>(build_material(s), gimp ? Fast::Shape::gimp : Fast::Shape::bspline2);
+}
+
 /// Every material, and what fast_step_has(); find_problems() refuses the rest.
 std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
-  const fast::Variant variant{.gimp = s.numerics.scheme == ShapeFunction::gimp,
-                              .plastic = std::isfinite(s.material.yield_stress),
-                              .back_stress = std::isfinite(s.material.yield_stress) &&  // only with `plastic`
-                                             s.material.kinematic_fraction > 0,
-                              .linear_tension = s.material.tension == Tension::linear};
-  if (s.numerics.precision == Precision::single_precision)
-    return std::make_unique<fast::FastStepper<float>>(build_material(s), variant);
-  return std::make_unique<fast::FastStepper<double>>(build_material(s), variant);
+  return s.numerics.precision == Precision::single_precision ? fast_stepper_of<float>(s)
+                                                             : fast_stepper_of<double>(s);
 }
 
 }  // namespace

@@ -5,18 +5,9 @@
 #include "libmpm/boundary/mirror.hpp"
 #include "libmpm/core/grid.hpp"
 #include "libmpm/core/particles.hpp"
-#include "libmpm/material/artificial_viscosity.hpp"
-#include "libmpm/material/eos/mie_grueneisen.hpp"
-#include "libmpm/material/strength/j2.hpp"
+#include "libmpm/material/solid.hpp"
 
 namespace mpm {
-
-/// What a step needs to know of the material.
-struct MaterialModel {
-  MieGrueneisen eos;
-  J2 strength;
-  ArtificialViscosity viscosity;
-};
 
 /// Sums over the particles after a step.
 struct StepReport {
@@ -24,8 +15,8 @@ struct StepReport {
   /// finite or a particle is outside the grid.
   double largest_signal = 0;
   double smallest_dilation = 0, largest_dilation = 0;  ///< J - 1 [1]
-  double overpressed_mass = 0;   ///< of particles beyond the pressure limit of the equation of state [kg/m]
-  double overstrained_mass = 0;  ///< of particles beyond its densities, MieGrueneisen::holds_at [kg/m]
+  double overpressed_mass = 0;   ///< of particles beyond the pressure limit of their model, Validity [kg/m]
+  double overstrained_mass = 0;  ///< of particles outside its densities, Validity [kg/m]
   double kinetic_energy = 0;     ///< [J/m]
   double transfer_heat = 0;  ///< kinetic energy that the transfer took and left as heat in this step [J/m]
   Vec2 wall_impulse = Vec2::Zero();  ///< that all walls gave in this step [kg/s]

@@ -8,6 +8,7 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/process.hpp"
 #include "runner/catalog/runner_row.hpp"
+#include "runner/catalog/schema.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -53,9 +54,7 @@ CatalogState read_all(SQLite::Database& db) {
   SQLite::Transaction one_moment(db);
   state.studies = read_studies(db);
   state.no_study = read_no_study(db);
-  state.stale =
-      db.execAndGet("SELECT count(*) FROM job WHERE physics_version < (SELECT version FROM physics)")
-          .getInt64();
+  state.stale = db.execAndGet("SELECT count(*) FROM job WHERE " + stale_sql()).getInt64();
   const bool old = db.execAndGet("PRAGMA user_version").getInt() < 7;
   const std::string columns(old ? runner_columns_before_7 : runner_columns);
   SQLite::Statement processes(db, "SELECT " + columns + " FROM runner r WHERE r.ended_at IS NULL");

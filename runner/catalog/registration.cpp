@@ -1,6 +1,7 @@
 // Registering a study: what it wants against what the catalog has.
 #include <nlohmann/json.hpp>
 
+#include "libmpm/scene/physics_version.hpp"
 #include "runner/catalog/runner_row.hpp"
 #include "runner/catalog/store_impl.hpp"
 
@@ -15,7 +16,7 @@ std::int64_t Store::Impl::add_job(const Job& job) {
   bind(std::string(mpm::to_string(scene.kind)));
   bind(scene.material.name);
   bind(nlohmann::json(scene.measures.snapshots).dump());
-  bind(mpm::physics_version);
+  bind(mpm::physics_version_of(scene));
   bind(job.estimate.particles);
   bind(job.estimate.steps);
   bind(job.predicted_seconds);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "libmpm/scene/parameters.hpp"
+#include "libmpm/scene/physics_version.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -274,7 +275,7 @@ constexpr std::string_view jobs_after = R"sql(
   j.started_at AS started_at, j.finished_at AS finished_at, j.predicted_s AS predicted_s,
   CAST(j.particles AS REAL) * j.steps / nullif(j.cpu_s, 0) AS particle_updates_per_s,
   j.failure_kind AS failure_kind, j.crashes AS crashes,
-  j.physics_version < (SELECT version FROM physics) AS stale,
+  @stale@ AS stale,
   CASE WHEN j.final_area_m2 IS NULL THEN NULL
     WHEN EXISTS (SELECT 1 FROM metric c WHERE c.job_id = j.id AND c.name = 'cavity_joined_outside_time_s')
       THEN 'cavity open to the outside: its final area has no meaning'
@@ -397,10 +398,17 @@ CatalogSchema current_catalog_schema() {
           parameter_columns()};
 }
 
+std::string stale_sql() {
+  return "physics_version < max((SELECT version FROM physics), CASE \"kernel\" WHEN 'reference' THEN " +
+         std::to_string(mpm::reference_physics_version) + " ELSE 0 END)";
+}
+
 std::string view_sql(std::span<const std::string> columns) {
   std::string sql(jobs_before);
   for (const auto& column : columns) sql += "  j.\"" + column + "\" AS \"" + column + "\",\n";
-  sql += jobs_after;
+  std::string after(jobs_after);
+  constexpr std::string_view stale = "@stale@";
+  sql += after.replace(after.find(stale), stale.size(), stale_sql());
   sql += other_views;
   return sql += ladders_sql();
 }

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "libmpm/scene/parameters.hpp"
+#include "libmpm/scene/physics_version.hpp"
 #include "libmpm/simulation.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
@@ -159,11 +160,12 @@ std::string studies_of(const std::string& results, const std::string& key) {
 
 /// What the next `run` does with the job.
 std::string verdict(const StoredJob& job) {
-  if (job.physics_version != mpm::physics_version)
+  const int version = mpm::physics_version_of(job.job.scene);
+  if (job.physics_version != version)
     return fmt::format(
         "made by physics version {}; this program has {} and another key for the same scene, so "
         "it is never reused",
-        job.physics_version, mpm::physics_version);
+        job.physics_version, version);
   switch (job.status) {
     case JobStatus::done:
       return "done: reused by every study that has it; it runs again only if a file of fields is damaged";

@@ -9,6 +9,7 @@
 #include <memory>
 #include <random>
 
+#include "libmpm/scene/physics_version.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/field_files.hpp"
 #include "runner/catalog/output_file.hpp"
@@ -44,7 +45,9 @@ class ScratchFolder {
 
 std::vector<Job> chosen(const VerifyOptions& options) {
   auto stored = read_jobs(options.results, {"", "done"});
-  std::erase_if(stored, [](const StoredJob& job) { return job.physics_version != mpm::physics_version; });
+  std::erase_if(stored, [](const StoredJob& job) {
+    return job.physics_version != mpm::physics_version_of(job.job.scene);
+  });
   std::vector<StoredJob> some;
   std::mt19937_64 random(options.seed != 0 ? options.seed : std::random_device{}());
   std::ranges::sample(stored, std::back_inserter(some), options.jobs, random);

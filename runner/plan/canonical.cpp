@@ -5,6 +5,7 @@
 
 #include "libmpm/scene/effect.hpp"
 #include "libmpm/scene/parameters.hpp"
+#include "libmpm/scene/physics_version.hpp"
 #include "libmpm/simulation.hpp"
 #include "runner/plan/plan.hpp"
 
@@ -27,7 +28,7 @@ double value_for_key(const Row& row, const mpm::Scene& scene, bool with_inert) {
 }
 
 std::string text_of(const mpm::Scene& scene, bool with_inert, std::span<const mpm::Quantity> rows) {
-  std::string text = "physics_version=" + std::to_string(mpm::physics_version) + "\n";
+  std::string text = "physics_version=" + std::to_string(mpm::physics_version_of(scene)) + "\n";
   text.append("scene=").append(mpm::to_string(scene.kind)).append("\n");
   for (const mpm::Quantity& row : rows) {
     if (row.derived || !row.belongs_to(scene.kind) || row.get(scene) == row.implied) continue;

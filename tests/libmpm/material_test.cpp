@@ -5,12 +5,12 @@
 
 #include "libmpm/material/artificial_viscosity.hpp"
 #include "libmpm/material/eos/temperature.hpp"
-#include "libmpm/material/strength/j2.hpp"
+#include "libmpm/material/own_columns.hpp"
+#include "libmpm/material/solid.hpp"
 
 namespace {
 
 using mpm::MieGrueneisen;
-using mpm::PlaneTensor;
 using Volume = MieGrueneisen::Volume;
 
 const mpm::Material aluminium = mpm::named_material("aluminium");
@@ -76,18 +76,22 @@ TEST(Temperature, MatchesTheHugoniot) {
 
 TEST(ArtificialViscosity, ActsInCompressionOnly) {
   const mpm::ArtificialViscosity q{0.5, 1.5, 1e-7};
-  EXPECT_EQ(q.pressure(2700, 1e9, 5000), 0);
-  EXPECT_DOUBLE_EQ(q.pressure(2700, -1e9, 5000), 2700 * 100 * (0.5 * 5000 + 1.5 * 100));
+  const double dt = 1e-12;
+  EXPECT_EQ(q.response(2700.0, dt * 1e9, 1 / dt, 5000.0).pressure, 0);
+  EXPECT_DOUBLE_EQ(q.response(2700.0, dt * -1e9, 1 / dt, 5000.0).pressure,
+                   2700 * 100 * (0.5 * 5000 + 1.5 * 100));
 }
 
 /// Strains a point uniaxially along y in small steps up to the logarithmic strain, from the state given.
+template <class Strength>
 struct Point {
-  PlaneTensor deviator{}, back{};
-  double plastic_strain = 0, work = 0;
-  void strain(const mpm::J2& j2, double total, int steps, bool kinematic) {
-    const PlaneTensor step{0, total / steps, 0, 0};
-    for (int k = 0; k < steps; ++k)
-      work += j2.update(mpm::deviator(step), {}, deviator, kinematic ? &back : nullptr, plastic_strain);
+  mpm::Deviator<double> deviator{};
+  double own[mpm::most_own_columns] = {};
+  double plastic_strain() const { return own[mpm::own_plastic_strain]; }
+  double work() const { return own[mpm::own_plastic_work]; }  // of a volume of 1
+  void strain(const mpm::J2& j2, double total, int steps) {
+    const mpm::Strain<double> step{{0, total / steps, 0}, {1, 0}, 0, 1};
+    for (int k = 0; k < steps; ++k) Strength::update(j2, deviator, own, step, 1.0);
   }
 };
 
@@ -96,15 +100,15 @@ TEST(J2, UniaxialStrain) {
   const mpm::J2 j2(aluminium);
   const double g = aluminium.shear_modulus(), h = aluminium.hardening_per_equivalent_strain(), y = 120e6;
   for (const double strain : {0.001, 0.0023, 0.01, 0.1}) {
-    Point p;
-    p.strain(j2, -strain, 100, false);
+    Point<mpm::IsotropicHardening> p;
+    p.strain(j2, -strain, 100);
     const double elastic = 2 * g * strain;
     const double q = elastic < y ? elastic : y + h * (elastic - y) / (3 * g + h);
-    EXPECT_NEAR(mpm::J2::von_mises(p.deviator) / q, 1, 1e-10) << strain;
+    EXPECT_NEAR(std::sqrt(3 * mpm::second_invariant(p.deviator)) / q, 1, 1e-10) << strain;
     EXPECT_NEAR(p.deviator.yy / (-2.0 / 3 * q), 1, 1e-10) << strain;  // compression is negative
     const double dp = elastic < y ? 0 : (elastic - y) / (3 * g + h);
-    EXPECT_NEAR(p.plastic_strain, dp, 1e-12);
-    EXPECT_NEAR(p.work, dp * (y + 0.5 * h * dp), 1e-9 * y);
+    EXPECT_NEAR(p.plastic_strain(), dp, 1e-12);
+    EXPECT_NEAR(p.work(), dp * (y + 0.5 * h * dp), 1e-9 * y);
   }
 }
 
@@ -117,29 +121,47 @@ TEST(J2, ReverseLoadingShowsTheKinematicShare) {
     m.kinematic_fraction = fraction;
     const mpm::J2 j2(m);
     const double g = m.shear_modulus(), h = m.hardening_per_equivalent_strain();
-    Point p;
-    p.strain(j2, -0.05, 200, true);
-    const double loaded = p.plastic_strain, q = 1.5 * -p.deviator.yy;
+    Point<mpm::KinematicHardening> p;
+    p.strain(j2, -0.05, 200);
+    const double loaded = p.plastic_strain(), q = 1.5 * -p.deviator.yy;
     EXPECT_NEAR(q / (120e6 + h * loaded), 1, 1e-9);  // loading does not tell them apart
     const double back = 2 * (120e6 + (1 - fraction) * h * loaded) / (2 * g);
-    p.strain(j2, 0.999 * back, 50, true);
-    EXPECT_EQ(p.plastic_strain, loaded) << fraction;
-    p.strain(j2, 0.002 * back, 50, true);
-    EXPECT_GT(p.plastic_strain, loaded) << fraction;
+    p.strain(j2, 0.999 * back, 50);
+    EXPECT_EQ(p.plastic_strain(), loaded) << fraction;
+    p.strain(j2, 0.002 * back, 50);
+    EXPECT_GT(p.plastic_strain(), loaded) << fraction;
   }
 }
 
 TEST(J2, RotationTurnsStressAndDoesNoWork) {
   const mpm::J2 j2(aluminium);
-  PlaneTensor s{30e6, -20e6, -10e6, 15e6};
-  const double before = mpm::J2::von_mises(s);
-  double plastic_strain = 0;
-  const mpm::Rotation quarter = mpm::Rotation::of_spin(2);  // tan(45 deg) = 1: a quarter turn
-  EXPECT_EQ(j2.update({}, quarter, s, nullptr, plastic_strain), 0);
-  EXPECT_NEAR(s.xx, -20e6, 1e-6);
-  EXPECT_NEAR(s.yy, 30e6, 1e-6);
-  EXPECT_NEAR(s.xy, -15e6, 1e-6);
-  EXPECT_NEAR(mpm::J2::von_mises(s), before, 1e-6);
+  Point<mpm::IsotropicHardening> p;
+  p.deviator = {30e6, -20e6, 15e6};
+  const double before = mpm::second_invariant(p.deviator);
+  const mpm::Strain<double> quarter_turn{{0, 0, 0}, {0, 1}, 0, 1};
+  mpm::IsotropicHardening::update(j2, p.deviator, p.own, quarter_turn, 1.0);
+  EXPECT_EQ(p.work(), 0);
+  EXPECT_NEAR(p.deviator.xx, -20e6, 1e-6);
+  EXPECT_NEAR(p.deviator.yy, 30e6, 1e-6);
+  EXPECT_NEAR(p.deviator.xy, -15e6, 1e-6);
+  EXPECT_NEAR(mpm::second_invariant(p.deviator) / before, 1, 1e-14);
+}
+
+/// A rigid rotation by any angle: dt L is made of the half-angle formula, and the deviator turns with it.
+TEST(StrainOver, ARigidRotationStrainsNothing) {
+  const mpm::Solid<double, mpm::Elastic, false> solid(
+      mpm::MaterialModel{MieGrueneisen(aluminium), mpm::J2(aluminium), {}});
+  const double angle = 0.3, c = std::cos(angle), s = std::sin(angle);
+  double dilation = 0.1;
+  const mpm::Strain<double> e = mpm::strain_over<double>(dilation, {c - 1, -s, s, c - 1}, solid);
+  EXPECT_NEAR(dilation, 0.1, 1e-15);
+  EXPECT_NEAR(e.compression, 1 / 1.1 - 1, 1e-15);
+  EXPECT_NEAR(e.rate.xx, 0, 1e-15);
+  EXPECT_NEAR(e.rate.yy, 0, 1e-15);
+  EXPECT_NEAR(e.rate.xy, 0, 1e-15);
+  EXPECT_NEAR(e.rotation.cosine, c, 1e-15);
+  EXPECT_NEAR(e.rotation.sine, s, 1e-15);
+  EXPECT_NEAR(e.divisor, 1, 1e-15);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TYPED_TEST(StepTest, KeepsEnergyToRoundingWhateverTheState) {
   }
 }
 
-// Torn-off material: see MieGrueneisen::expanded.
+// Torn-off material: see MieGrueneisen::validity.
 TYPED_TEST(StepTest, WhatHasExpandedTenfoldKeepsItsVolumeAndLosesItsPressure) {
   const mpm::Scene scene = scenes::cavity(0.2e-6);
   const mpm::MaterialModel material = mpm::build_material(scene);

@@ -1,7 +1,8 @@
 #pragma once
-#include <algorithm>
+#include <limits>
 
 #include "libmpm/material/material.hpp"
+#include "libmpm/material/model.hpp"
 
 namespace mpm {
 
@@ -11,75 +12,121 @@ namespace mpm {
 /// Since gamma mu = gamma0 eta with eta = 1 - rho0/rho = -(J - 1), and A is the pressure on the Hugoniot
 /// exactly. Source: [Xu2007, eq. 13]. Valid up to Material::pressure_limit. Tension: see mpm::Tension.
 /// Checked by tests/libmpm/material_test.cpp.
-struct MieGrueneisen {
-  double rho0;          ///< [kg/m^3]
-  double inverse_rho0;  ///< [m^3/kg]
-  double c, d, s;       ///< C, D, S [Pa]
-  double gamma0;        ///< [1]
+template <class Real>
+struct BasicMieGrueneisen {
+  Real rho0;                ///< [kg/m^3]
+  Real inverse_rho0;        ///< [m^3/kg]
+  Real c, d, s;             ///< C, D, S [Pa]
+  Real gamma0;              ///< [1]
+  Real least_sound_square;  ///< a tenth of c0^2, a lower bound of sound_square [m^2/s^2]
+  Real pressure_floor;      ///< minus the spall strength; minus infinity without [Pa]
+  Real pressure_limit;      ///< upper end of its validity [Pa]
   Tension tension;
-  double spall_strength;  ///< [Pa], positive
-  double pressure_limit;  ///< upper end of its validity [Pa]
   /// Range of rho0/rho - 1: fourfold compression, tenfold expansion. Single particles pass the first where a
   /// cavity closes, and reach the second in what jets leave behind.
-  static constexpr double least_dilation = -0.75, most_dilation = 9;
-  /// Inside the range, its upper end not included: particles are held there (expanded()).
-  static bool holds_at(double dilation) { return dilation >= least_dilation && dilation < most_dilation; }
-
-  /// `dilation`, counted up to tenfold expansion; not a number stays so. The factor of A makes
+  static constexpr Real least_dilation = Real(-0.75), most_dilation = 9;
+  /// Inside the range, its upper end not included: particles are held there. The factor of A makes
   /// the cold tension grow with the volume without bound, and with it the sound speed: 0.22 TPa and 31 km/s
   /// at ten times the volume, 1.18 TPa and 146 km/s at 47 times, to which one torn-off particle would hold
   /// the time step of a whole run. What is held at the end of the range and goes on expanding at the rate
   /// theta loses its pressure and its tension, as debris does, dP/dt = -gamma0 P rho0/rho theta (but with
   /// Tension::linear, which has no energy term), and its energy is accounted for as everywhere. The expansion
   /// that was not counted is not taken back when it is pressed together again.
-  static double expanded(double dilation) { return std::min(dilation, most_dilation); }
+  Validity<Real> validity() const { return {least_dilation, most_dilation, pressure_limit}; }
 
-  explicit MieGrueneisen(const Material& m)
+  explicit BasicMieGrueneisen(const Material& m)
       : rho0(m.reference_density),
         inverse_rho0(1 / rho0),
         c(rho0 * m.bulk_sound_speed * m.bulk_sound_speed),
         d(c * (2 * m.hugoniot_slope - 1)),
         s(c * (m.hugoniot_slope - 1) * (3 * m.hugoniot_slope - 1)),
         gamma0(m.gruneisen_gamma),
-        tension(m.tension),
-        spall_strength(m.spall_strength),
-        pressure_limit(m.pressure_limit) {}
+        least_sound_square(0.1 * c * inverse_rho0),
+        pressure_floor(m.tension == Tension::cutoff ? -m.spall_strength
+                                                    : -std::numeric_limits<Real>::infinity()),
+        pressure_limit(m.pressure_limit),
+        tension(m.tension) {}
+  /// The same constants, rounded.
+  template <class Other>
+  explicit BasicMieGrueneisen(const BasicMieGrueneisen<Other>& o)
+      : rho0(static_cast<Real>(o.rho0)),
+        inverse_rho0(static_cast<Real>(o.inverse_rho0)),
+        c(static_cast<Real>(o.c)),
+        d(static_cast<Real>(o.d)),
+        s(static_cast<Real>(o.s)),
+        gamma0(static_cast<Real>(o.gamma0)),
+        least_sound_square(static_cast<Real>(o.least_sound_square)),
+        pressure_floor(static_cast<Real>(o.pressure_floor)),
+        pressure_limit(static_cast<Real>(o.pressure_limit)),
+        tension(o.tension) {}
 
   /// A state of volume: dilation J - 1 = rho0/rho - 1 and compression mu = rho/rho0 - 1.
-  struct Volume {
-    double dilation, mu;
-    explicit Volume(double d) : dilation(d), mu(-d / (1 + d)) {}
+  template <class N>
+  struct VolumeOf {
+    N dilation, mu;
+  };
+  struct Volume : VolumeOf<Real> {
+    explicit Volume(Real d) : VolumeOf<Real>{d, -d / (1 + d)} {}
   };
 
-  /// P = cold + thermal * e: the two numbers.
-  struct Line {
-    double cold;     ///< [Pa]
-    double thermal;  ///< [kg/m^3]
+  /// At a volume, P = cold + thermal * e.
+  template <class N>
+  struct LineOf {
+    N cold;     ///< [Pa]
+    N thermal;  ///< [kg/m^3]
   };
-  Line line(Volume v) const {
-    if (tension == Tension::linear && v.mu < 0) return {c * v.mu, 0};
-    return {v.mu * (c + v.mu * (d + v.mu * s)) * (1 + 0.5 * gamma0 * v.dilation), gamma0 * rho0};
+  using Line = LineOf<Real>;
+  /// ... and the square of the bulk sound speed on an isentrope, dP/drho|e + (P/rho^2) dP/de [m^2/s^2]. Where
+  /// far expansion makes it small, a tenth of c0^2 is returned: it bounds time steps and viscosity, nothing
+  /// else.
+  template <class N>
+  struct Response {
+    LineOf<N> line;
+    N sound_square;
+  };
+  /// `linear`: Tension::linear. p: pressure, for the sound speed [Pa].
+  template <bool linear, class N>
+  MPM_INLINE Response<N> response(const VolumeOf<N>& v, N p) const {
+    const N ratio = 1 + v.dilation, mu = v.mu;
+    const N a = mu * (c + mu * (d + mu * s));
+    const N a_slope = c + mu * (2 * d + 3 * mu * s);
+    const N away = 1 + Real(0.5) * gamma0 * v.dilation, ratio_square = ratio * ratio;
+    N square = (a_slope * away + gamma0 * ratio_square * (p - Real(0.5) * a)) * inverse_rho0;
+    square = Number<N>::larger(square, Number<N>::all(least_sound_square));
+    N cold = a * away, thermal = Number<N>::all(gamma0 * rho0);
+    if constexpr (linear) {
+      cold = mu < 0 ? c * mu : cold;
+      thermal = mu < 0 ? N{} : thermal;
+      square = mu < 0 ? Number<N>::all(c * inverse_rho0) : square;
+    }
+    return {{cold, thermal}, square};
+  }
+  /// See model.hpp: gamma0 rho0 / (2 rho) times rho0 / rho0.
+  template <bool linear, class N>
+  MPM_INLINE N implicit(N dilation, N theta) const {
+    const N part = theta * (Real(0.5) * gamma0 * (1 + dilation));
+    if constexpr (linear) return dilation > 0 ? N{} : part;
+    return part;
+  }
+  /// Of a pressure, what the tension model lets stand.
+  template <class N>
+  MPM_INLINE N held(N p) const {
+    return Number<N>::larger(p, Number<N>::all(pressure_floor));
   }
 
-  /// What the material holds of a pressure P.
-  double held(double p) const { return tension == Tension::cutoff ? std::max(p, -spall_strength) : p; }
-
+  // For one state at a time, with the tension of the material.
+  Line line(Volume v) const { return response_of(v, 0).line; }
+  double sound_speed_squared(Volume v, double p) const { return response_of(v, p).sound_square; }
   double pressure(Volume v, double energy) const {
     const Line l = line(v);
     return held(l.cold + l.thermal * energy);
   }
 
-  /// Square of the bulk sound speed on an isentrope, dP/drho|e + (P/rho^2) dP/de [m^2/s^2]. Where far
-  /// expansion makes it small, a tenth of c0^2 is returned: it bounds time steps and viscosity, nothing else.
-  double sound_speed_squared(Volume v, double p) const {
-    if (tension == Tension::linear && v.mu < 0) return c * inverse_rho0;
-    const double a = v.mu * (c + v.mu * (d + v.mu * s));
-    const double a_slope = c + v.mu * (2 * d + 3 * v.mu * s);
-    const double square = (1 + v.dilation) * (1 + v.dilation);
-    // dP/dmu at constant e, and gamma0 P rho0/rho^2
-    const double slope = a_slope * (1 + 0.5 * gamma0 * v.dilation) - 0.5 * gamma0 * a * square;
-    return std::max((slope + gamma0 * p * square) * inverse_rho0, 0.1 * c * inverse_rho0);
+ private:
+  Response<Real> response_of(Volume v, Real p) const {
+    return tension == Tension::linear ? response<true, Real>(v, p) : response<false, Real>(v, p);
   }
 };
+using MieGrueneisen = BasicMieGrueneisen<double>;
 
 }  // namespace mpm

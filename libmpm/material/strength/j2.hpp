@@ -1,8 +1,8 @@
 #pragma once
 #include <cmath>
 
-#include "libmpm/core/tensor.hpp"
 #include "libmpm/material/material.hpp"
+#include "libmpm/material/model.hpp"
 
 namespace mpm {
 
@@ -13,45 +13,103 @@ namespace mpm {
 /// with p the equivalent plastic strain and beta the kinematic fraction. s, alpha in Pa, tension positive.
 /// Source: Simo & Hughes 1998, Computational Inelasticity, box 3.1; [Xu2007, eqs. 6 to 8].
 /// The return is exact for the step, whatever its size. Checked by tests/libmpm/material_test.cpp.
-struct J2 {
-  double shear_modulus;      ///< G [Pa]
-  double yield_stress;       ///< sigma_Y0 [Pa]; infinite: elastic
-  double isotropic_modulus;  ///< (1 - beta) H [Pa]
-  double kinematic_modulus;  ///< beta H [Pa]
+template <class Real>
+struct BasicJ2 {
+  Real shear_modulus;      ///< G [Pa]
+  Real yield_stress;       ///< sigma_Y0 [Pa]; infinite: elastic
+  Real isotropic_modulus;  ///< (1 - beta) H [Pa]
+  Real kinematic_modulus;  ///< beta H [Pa]
+  Real inverse_return;     ///< 1 / (3 G + H) [1/Pa]
+  bool kinematic;          ///< beta > 0: there is a back stress
 
-  explicit J2(const Material& m)
+  explicit BasicJ2(const Material& m)
       : shear_modulus(m.shear_modulus()),
         yield_stress(m.yield_stress),
         isotropic_modulus((1 - m.kinematic_fraction) * m.hardening_per_equivalent_strain()),
-        kinematic_modulus(m.kinematic_fraction * m.hardening_per_equivalent_strain()) {}
+        kinematic_modulus(m.kinematic_fraction * m.hardening_per_equivalent_strain()),
+        inverse_return(1 / (3 * shear_modulus + isotropic_modulus + kinematic_modulus)),
+        kinematic(m.kinematic_fraction > 0) {}
+  /// The same constants, rounded.
+  template <class Other>
+  explicit BasicJ2(const BasicJ2<Other>& o)
+      : shear_modulus(static_cast<Real>(o.shear_modulus)),
+        yield_stress(static_cast<Real>(o.yield_stress)),
+        isotropic_modulus(static_cast<Real>(o.isotropic_modulus)),
+        kinematic_modulus(static_cast<Real>(o.kinematic_modulus)),
+        inverse_return(static_cast<Real>(o.inverse_return)),
+        kinematic(o.kinematic) {}
 
-  static double von_mises(const PlaneTensor& deviator) {
+  /// q of a deviator [Pa].
+  template <class Tensor>
+  static double von_mises(const Tensor& deviator) {
     return std::sqrt(1.5 * contract(deviator, deviator));
   }
+};
+using J2 = BasicJ2<double>;
 
-  /// One step. `strain` is dt dev(D). Updates deviator, back stress (may be null) and plastic strain; returns
-  /// the plastic work per current volume [J/m^3], >= 0.
-  double update(const PlaneTensor& strain, const Rotation& rotation, PlaneTensor& deviator,
-                PlaneTensor* back_stress, double& plastic_strain) const {
-    PlaneTensor s = rotation(deviator) + 2 * shear_modulus * strain;
-    const PlaneTensor alpha = back_stress ? rotation(*back_stress) : PlaneTensor{};
-    const PlaneTensor relative = s - alpha;
-    const double q = von_mises(relative);
-    const double excess = q - (yield_stress + isotropic_modulus * plastic_strain);
-    double work = 0;
-    if (excess > 0) {
-      const double dp = excess / (3 * shear_modulus + isotropic_modulus + kinematic_modulus);
-      const PlaneTensor flow = (1.5 * dp / q) * relative;  // increment of plastic strain
-      s = s - 2 * shear_modulus * flow;
-      work = contract(s, flow) -
-             0.5 * (isotropic_modulus + kinematic_modulus) * dp * dp;  // mean stress of the return
-      plastic_strain += dp;
-      if (back_stress) *back_stress = alpha + (kinematic_modulus / 1.5) * flow;
-    } else if (back_stress) {
-      *back_stress = alpha;
-    }
-    deviator = s;
-    return work;
+/// The columns of its own that a strength has, in this order.
+enum OwnColumn : int { own_plastic_strain, own_plastic_work, own_back_stress };
+
+/// No yield.
+struct Elastic {
+  static constexpr int own_columns = 0;
+  static bool fits(const J2& j2) { return std::isinf(j2.yield_stress); }
+
+  template <class Real, class N>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N*, const Strain<N>& e, N) {
+    s = sum(rotated(e.rotation, s), 2 * j2.shear_modulus, deviator(e.rate));
+  }
+};
+
+/// Isotropic hardening. Own columns: equivalent plastic strain [1], plastic work [J/kg].
+struct IsotropicHardening {
+  static constexpr int own_columns = 2;
+  static bool fits(const J2& j2) { return !Elastic::fits(j2) && !j2.kinematic; }
+
+  template <class Real, class N>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N* own, const Strain<N>& e,
+                                N specific_volume) {
+    const Real twice = 2 * j2.shear_modulus;
+    const Deviator<N> trial = sum(rotated(e.rotation, s), twice, deviator(e.rate));
+    const N mises = Number<N>::square_root(3 * second_invariant(trial));
+    const N excess =
+        Number<N>::larger(mises - (j2.yield_stress + j2.isotropic_modulus * own[own_plastic_strain]), N{});
+    const N dp = excess * j2.inverse_return;
+    const N flow = mises > 0 ? Real(1.5) * dp / mises : N{};
+    s = scaled(1 - twice * flow, trial);
+    // mean stress of the return times the increment
+    const N work = dp * (mises - (3 * j2.shear_modulus + Real(0.5) * j2.isotropic_modulus) * dp);
+    own[own_plastic_strain] += dp;
+    own[own_plastic_work] += work * specific_volume;
+  }
+};
+
+/// ... and kinematic hardening. Own columns: those, and the back stress xx, yy, xy [Pa].
+struct KinematicHardening {
+  static constexpr int own_columns = 5;
+  static bool fits(const J2& j2) { return !Elastic::fits(j2) && j2.kinematic; }
+
+  template <class Real, class N>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N* own, const Strain<N>& e,
+                                N specific_volume) {
+    const Real twice = 2 * j2.shear_modulus;
+    const Deviator<N> alpha =
+        rotated(e.rotation, {own[own_back_stress], own[own_back_stress + 1], own[own_back_stress + 2]});
+    const Deviator<N> relative = sum(rotated(e.rotation, s), twice, deviator(e.rate)) - alpha;
+    const N mises = Number<N>::square_root(3 * second_invariant(relative));
+    const N excess =
+        Number<N>::larger(mises - (j2.yield_stress + j2.isotropic_modulus * own[own_plastic_strain]), N{});
+    const N dp = excess * j2.inverse_return;
+    const N flow = mises > 0 ? Real(1.5) * dp / mises : N{};
+    s = sum(alpha, 1 - twice * flow, relative);
+    // mean stress of the return times the increment
+    const N work =
+        flow * contract(s, relative) - Real(0.5) * (j2.isotropic_modulus + j2.kinematic_modulus) * dp * dp;
+    const N moved = j2.kinematic_modulus / Real(1.5) * flow;
+    const Deviator<N> back = sum(alpha, moved, relative);
+    own[own_back_stress] = back.xx, own[own_back_stress + 1] = back.yy, own[own_back_stress + 2] = back.xy;
+    own[own_plastic_strain] += dp;
+    own[own_plastic_work] += work * specific_volume;
   }
 };
 

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "libmpm/material/own_columns.hpp"
+
 namespace mpm::fast {
 
 template <class Real>
-Blocks<Real>::Blocks(const Particles& ps, const Grid& grid, const Variant& v, double rho0, int stride)
-    : variant_(v), columns_(v.columns()), stride_(stride) {
+Blocks<Real>::Blocks(const Particles& ps, const Grid& grid, const Layout& layout, double rho0, int stride)
+    : layout_(layout), columns_(layout.columns()), stride_(stride) {
   const std::size_t slots = (ps.size() + width - 1) / width * width;
   values_ = AlignedArray<Real>(slots * static_cast<std::size_t>(columns_));
   ids_.assign(slots, nobody);
@@ -18,9 +20,6 @@ Blocks<Real>::Blocks(const Particles& ps, const Grid& grid, const Variant& v, do
     const Vec2 xi = (ps.position[s] - grid.origin()).cwiseProduct(inverse);
     const Vec2 nearest(std::floor(xi.x() + 0.5), std::floor(xi.y() + 0.5));
     const auto set = [&](int column, double value) { at(s, column) = static_cast<Real>(value); };
-    const auto set_tensor = [&](int column, const PlaneTensor& t) {
-      set(column, t.xx), set(column + 1, t.yy), set(column + 2, t.xy);
-    };
     set(node, nearest.y() * stride + nearest.x());
     set(position_x, xi.x() - nearest.x());
     set(position_y, xi.y() - nearest.y());
@@ -31,25 +30,22 @@ Blocks<Real>::Blocks(const Particles& ps, const Grid& grid, const Variant& v, do
     set(energy, ps.energy[s]);
     set(pressure, ps.pressure[s]);
     set(viscous_pressure, ps.viscous_pressure[s]);
-    set_tensor(deviator_xx, ps.deviator[s]);
-    if (v.gimp) {
-      set(v.half_size(), ps.half_size[s].x() * inverse.x());
-      set(v.half_size() + 1, ps.half_size[s].y() * inverse.y());
+    set(deviator_xx, ps.deviator[s].xx);
+    set(deviator_yy, ps.deviator[s].yy);
+    set(deviator_xy, ps.deviator[s].xy);
+    if (layout.gimp) {
+      set(layout.half_size(), ps.half_size[s].x() * inverse.x());
+      set(layout.half_size() + 1, ps.half_size[s].y() * inverse.y());
     }
-    if (v.plastic) {
-      set(v.plastic_strain(), ps.plastic_strain[s]);
-      set(v.plastic_work(), ps.plastic_work[s]);
-    }
-    if (v.back_stress) set_tensor(v.back_stress_xx(), ps.back_stress[s]);
+    double own[most_own_columns] = {};
+    read_own(ps, s, layout.own_columns, own);
+    for (int c = 0; c < layout.own_columns; ++c) set(layout.own() + c, own[c]);
   }
 }
 
 template <class Real>
 void Blocks<Real>::write(std::size_t s, const Grid& grid, Particles& ps, std::size_t p) const {
   const auto get = [&](int column) { return static_cast<double>(at(s, column)); };
-  const auto tensor = [&](int first) {
-    return PlaneTensor{get(first), get(first + 1), -(get(first) + get(first + 1)), get(first + 2)};
-  };
   const int n = static_cast<int>(at(s, node));
   const Vec2 xi(n % stride_ + get(position_x), n / stride_ + get(position_y));
   ps.position[p] = grid.origin() + xi.cwiseProduct(grid.cell());
@@ -58,14 +54,13 @@ void Blocks<Real>::write(std::size_t s, const Grid& grid, Particles& ps, std::si
   ps.energy[p] = get(energy);
   ps.pressure[p] = get(pressure);
   ps.viscous_pressure[p] = get(viscous_pressure);
-  ps.deviator[p] = tensor(deviator_xx);
-  const Variant& v = variant_;
-  if (v.gimp) ps.half_size[p] = Vec2(get(v.half_size()), get(v.half_size() + 1)).cwiseProduct(grid.cell());
-  if (v.plastic) {
-    ps.plastic_strain[p] = get(v.plastic_strain());
-    ps.plastic_work[p] = get(v.plastic_work());
-  }
-  if (v.back_stress) ps.back_stress[p] = tensor(v.back_stress_xx());
+  const double xx = get(deviator_xx), yy = get(deviator_yy);
+  ps.deviator[p] = {xx, yy, -(xx + yy), get(deviator_xy)};
+  if (layout_.gimp)
+    ps.half_size[p] = Vec2(get(layout_.half_size()), get(layout_.half_size() + 1)).cwiseProduct(grid.cell());
+  double own[most_own_columns] = {};
+  for (int c = 0; c < layout_.own_columns; ++c) own[c] = get(layout_.own() + c);
+  write_own(ps, p, layout_.own_columns, own);
 }
 
 template <class Real>

@@ -25,7 +25,7 @@ class Blocks {
   static constexpr int width = 32 / sizeof(Real);
 
   /// Not sorted yet. `stride`: of the nodes.
-  Blocks(const Particles&, const Grid&, const Variant&, double rho0, int stride);
+  Blocks(const Particles&, const Grid&, const Layout&, double rho0, int stride);
 
   /// Puts the particles in order, for a grid of `rows` rows of nodes. Deterministic.
   void sort(int rows);
@@ -62,7 +62,7 @@ class Blocks {
   void permute(std::span<const std::uint32_t> order);
   void fill_empty_lanes(std::size_t block);
 
-  Variant variant_;
+  Layout layout_;
   int columns_, stride_;
   AlignedArray<Real> values_;         ///< may be larger than its blocks
   std::vector<std::uint32_t> ids_;    ///< original place of the particle in each slot, or nobody

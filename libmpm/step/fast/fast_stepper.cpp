@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
+
+#include "libmpm/material/list.hpp"
 
 namespace mpm::fast {
 namespace {
@@ -30,25 +34,7 @@ Constants<Real> constants_of(const MaterialModel& m, const Grid& grid) {
   const MieGrueneisen& eos = m.eos;
   const auto real = [](double v) { return static_cast<Real>(v); };
   Constants<Real> k{};
-  k.rho0 = real(eos.rho0);
   k.inverse_rho0 = real(eos.inverse_rho0);
-  k.cold_c = real(eos.c), k.cold_d = real(eos.d), k.cold_s = real(eos.s);
-  k.gamma0 = real(eos.gamma0);
-  k.least_sound_square = real(0.1 * eos.c * eos.inverse_rho0);
-  k.pressure_floor =
-      eos.tension == Tension::cutoff ? real(-eos.spall_strength) : -std::numeric_limits<Real>::infinity();
-  k.pressure_limit = real(eos.pressure_limit);
-  k.least_dilation = real(MieGrueneisen::least_dilation);
-  k.most_dilation = real(MieGrueneisen::most_dilation);
-  const J2& j2 = m.strength;
-  k.shear_modulus = real(j2.shear_modulus);
-  k.yield_stress = real(j2.yield_stress);
-  k.isotropic_modulus = real(j2.isotropic_modulus);
-  k.kinematic_modulus = real(j2.kinematic_modulus);
-  k.inverse_return = real(1 / (3 * j2.shear_modulus + j2.isotropic_modulus + j2.kinematic_modulus));
-  k.linear_viscosity = real(m.viscosity.linear);
-  k.quadratic_viscosity = real(m.viscosity.quadratic);
-  k.viscous_length = real(m.viscosity.length);
   k.inverse_cell_x = real(grid.inverse_cell().x());
   k.inverse_cell_y = real(grid.inverse_cell().y());
   k.force_x = real(eos.inverse_rho0 * grid.inverse_cell().x());
@@ -59,16 +45,24 @@ Constants<Real> constants_of(const MaterialModel& m, const Grid& grid) {
 }  // namespace
 
 template <class Real>
-FastStepper<Real>::FastStepper(const MaterialModel& model, const Variant& variant, InstructionSet set)
-    : model_(model), variant_(variant), kernels_(kernels_for<Real>(variant, set)) {}
+FastStepper<Real>::FastStepper(const MaterialModel& material, Shape shape, InstructionSet set)
+    : material_(material), layout_{shape == Shape::gimp, 0} {
+  with_model<Real>(material, [&](const auto& model, std::size_t place) {
+    static_assert(std::is_trivially_copyable_v<std::decay_t<decltype(model)>> &&
+                  sizeof model <= sizeof model_);
+    std::memcpy(model_.data(), &model, sizeof model);
+    layout_.own_columns = model.own_columns;
+    kernels_ = kernels_for<Real>(layout_.gimp, place, set);
+  });
+}
 
 /// The particles' first way to the grid.
 template <class Real>
 void FastStepper<Real>::begin(State& state) {
   const Grid& grid = state.grid;
-  constants_ = constants_of<Real>(model_, grid);
+  constants_ = constants_of<Real>(material_, grid);
   grid_.emplace(grid.columns());
-  blocks_.emplace(state.particles, grid, variant_, model_.eos.rho0, grid_->nodes().stride);
+  blocks_.emplace(state.particles, grid, layout_, material_.eos.rho0, grid_->nodes().stride);
   state.velocity_gradient = {};
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const Vec2& x : state.particles.position) {
@@ -93,7 +87,7 @@ void FastStepper<Real>::use(double lowest_node, double highest_node) {
 
 template <class Real>
 Band<Real> FastStepper<Real>::band(const typename Blocks<Real>::Range& range) {
-  return {blocks_->block(range.first), range.count, variant_.columns(),
+  return {blocks_->block(range.first), range.count, layout_.columns(),
           std::max(range.first_row - band_reach, 0),
           std::min(range.last_row + band_reach, grid_->nodes().rows - 3)};
 }
@@ -104,12 +98,13 @@ template <class Real>
 SweepReport FastStepper<Real>::sweep(double dt) {
   const auto bands = blocks_->bands();
   reports_.assign(bands.size(), {});
+  StressUpdate<Real> stress = kernels_.stress;
+  stress.model = model_.data();
   for (const std::size_t parity : {0, 1})
     team_.run((bands.size() + 1 - parity) / 2, [&, parity](std::size_t k) {
       SweepReport& own = reports_[2 * k + parity];
       own.lowest_node = std::numeric_limits<double>::infinity();
-      kernels_.transfers.sweep(band(bands[2 * k + parity]), grid_->nodes(), constants_, dt, kernels_.stress,
-                               own);
+      kernels_.transfers.sweep(band(bands[2 * k + parity]), grid_->nodes(), constants_, dt, stress, own);
     });
 
   SweepReport sums{};
@@ -180,7 +175,7 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
   use(sums.lowest_node, sums.highest_node);
 
   const Grid& grid = state.grid;
-  const double unit = model_.eos.rho0 * grid.cell().x() * grid.cell().y();
+  const double unit = material_.eos.rho0 * grid.cell().x() * grid.cell().y();
   StepReport report;
   report.largest_signal = sums.broken ? std::numeric_limits<double>::quiet_NaN() : sums.largest_signal;
   report.smallest_dilation = sums.smallest_dilation;
@@ -214,7 +209,7 @@ void FastStepper<Real>::refresh_particles(State& state, std::span<const std::siz
 
 template <class Real>
 void FastStepper<Real>::refresh_nodes(State& state, int first_row, int last_row) {
-  if (grid_) grid_->copy_rows(state.grid, model_.eos.rho0, first_row, last_row, moved_first_, moved_last_);
+  if (grid_) grid_->copy_rows(state.grid, material_.eos.rho0, first_row, last_row, moved_first_, moved_last_);
 }
 
 template <class Real>

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -16,14 +18,14 @@ namespace mpm::fast {
 ///   (sweep.hpp).
 ///   - Bands of rows are worked on by several threads, where they are given (ThreadTeam). What a result is
 ///   made of does not depend on who made which part.
-///   - Each combination of shape function and physics that needs code of its own has a kernel, in each
-///     instruction set (kernels.hpp).
+///   - Each shape function and each material model has a kernel, in each instruction set (kernels.hpp).
 /// Results agree with the reference step to rounding.
 /// state.particles is read in the first step and not afterwards: to change particles, make a new stepper.
 template <class Real>
 class FastStepper : public Stepper {
  public:
-  FastStepper(const MaterialModel&, const Variant&, InstructionSet = best_instruction_set());
+  enum class Shape { bspline2, gimp };
+  FastStepper(const MaterialModel&, Shape, InstructionSet = best_instruction_set());
 
   StepReport step(State&, double dt) override;
   void refresh_particles(State&) override;
@@ -42,9 +44,10 @@ class FastStepper : public Stepper {
   void move(Floor, double dt);
   void use(double lowest_node, double highest_node);
 
-  MaterialModel model_;
-  Variant variant_;
+  MaterialModel material_;
+  Layout layout_;
   Kernels<Real> kernels_;
+  alignas(16) std::array<std::byte, 256> model_;  ///< the model of material/list.hpp, for the kernels
   Constants<Real> constants_{};
   std::optional<Blocks<Real>> blocks_;
   std::optional<NodeGrid<Real>> grid_;

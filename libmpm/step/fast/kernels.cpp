@@ -7,13 +7,13 @@ namespace baseline {
 template <class Real>
 Transfers<Real> transfers(bool gimp);
 template <class Real>
-StressUpdate<Real> stress_update(const Variant&);
+StressUpdate<Real> stress_update(std::size_t model);
 }  // namespace baseline
 namespace avx2 {
 template <class Real>
 Transfers<Real> transfers(bool gimp);
 template <class Real>
-StressUpdate<Real> stress_update(const Variant&);
+StressUpdate<Real> stress_update(std::size_t model);
 }  // namespace avx2
 
 bool supported(InstructionSet set) {
@@ -35,15 +35,15 @@ InstructionSet best_instruction_set() {
 }
 
 template <class Real>
-Kernels<Real> kernels_for(const Variant& v, InstructionSet set) {
+Kernels<Real> kernels_for(bool gimp, std::size_t model, InstructionSet set) {
   if (!supported(set)) throw std::logic_error("this processor lacks the instruction set");
 #if defined(MPM_KERNELS_AVX2)
-  if (set == InstructionSet::avx2) return {avx2::transfers<Real>(v.gimp), avx2::stress_update<Real>(v)};
+  if (set == InstructionSet::avx2) return {avx2::transfers<Real>(gimp), avx2::stress_update<Real>(model)};
 #endif
-  return {baseline::transfers<Real>(v.gimp), baseline::stress_update<Real>(v)};
+  return {baseline::transfers<Real>(gimp), baseline::stress_update<Real>(model)};
 }
 
-template Kernels<double> kernels_for(const Variant&, InstructionSet);
-template Kernels<float> kernels_for(const Variant&, InstructionSet);
+template Kernels<double> kernels_for(bool, std::size_t, InstructionSet);
+template Kernels<float> kernels_for(bool, std::size_t, InstructionSet);
 
 }  // namespace mpm::fast

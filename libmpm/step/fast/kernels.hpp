@@ -25,19 +25,15 @@ enum Column : int {
   common_columns,
 };
 
-/// What is compiled. Transfers depend on `gimp` alone and stress updates on the rest, so that their numbers
-/// add up and do not multiply; what a scene lacks costs nothing.
-struct Variant {
-  bool gimp;            ///< two more columns: half sizes of the domain [cells]
-  bool plastic;         ///< two more columns: plastic strain [1], plastic work [J/kg]
-  bool back_stress;     ///< three more columns: kinematic hardening; only with `plastic`
-  bool linear_tension;  ///< P = C mu in expansion
+/// The columns of a block: the common ones, with GIMP half sizes of the domains, then the material model's
+/// own.
+struct Layout {
+  bool gimp;
+  int own_columns;
 
-  constexpr int half_size() const { return common_columns; }
-  constexpr int plastic_strain() const { return half_size() + (gimp ? 2 : 0); }
-  constexpr int plastic_work() const { return plastic_strain() + 1; }
-  constexpr int back_stress_xx() const { return plastic_strain() + (plastic ? 2 : 0); }
-  constexpr int columns() const { return back_stress_xx() + (back_stress ? 3 : 0); }
+  static constexpr int half_size() { return common_columns; }  ///< two columns [cells]
+  constexpr int own() const { return half_size() + (gimp ? 2 : 0); }
+  constexpr int columns() const { return own() + own_columns; }
 };
 
 /// Components of Nodes::sums and of Nodes::motion.
@@ -72,16 +68,11 @@ struct Nodes {
   }
 };
 
-/// Numbers of the material and the grid that a sweep uses.
+/// Numbers of the grid that transfers use.
 template <class Real>
 struct Constants {
-  Real rho0, inverse_rho0;
-  Real cold_c, cold_d, cold_s, gamma0, least_sound_square, pressure_floor, pressure_limit, least_dilation,
-      most_dilation;                                                       ///< see MieGrueneisen
-  Real shear_modulus, yield_stress, isotropic_modulus, kinematic_modulus;  ///< see J2
-  Real inverse_return;                                                     ///< 1 / (3 G + H)
-  Real linear_viscosity, quadratic_viscosity, viscous_length;              ///< see ArtificialViscosity
-  Real force_x, force_y;                                                   ///< 1 / (rho0 hx), 1 / (rho0 hy)
+  Real inverse_rho0;
+  Real force_x, force_y;  ///< 1 / (rho0 hx), 1 / (rho0 hy)
   Real inverse_cell_x, inverse_cell_y;
 };
 
@@ -124,14 +115,15 @@ struct alignas(32) Gradients {
   Real of_block[chunk_blocks][4][width];
 };
 
-/// The stress update of a material.
+/// The stress update of a material model.
 template <class Real>
 struct StressUpdate {
-  /// New state of `count` <= chunk_blocks blocks, whose columns of the material begin at `own`.
-  void (*update)(Real* blocks, int count, int columns, int own, const Gradients<Real>&,
-                 const Constants<Real>&, Real inverse_dt, Extremes<Real>&);
+  /// New state of `count` <= chunk_blocks blocks, whose columns of the model begin at `own`.
+  void (*update)(const void* model, Real* blocks, int count, int columns, int own, const Gradients<Real>&,
+                 Real inverse_dt, Extremes<Real>&);
   /// Adds to the report what has become of a band.
-  void (*report)(const Band<Real>&, const Constants<Real>&, const Extremes<Real>&, SweepReport&);
+  void (*report)(const void* model, const Band<Real>&, const Extremes<Real>&, SweepReport&);
+  const void* model = nullptr;  ///< of the list's type (material/list.hpp)
 };
 
 /// The transfers, which depend on the shape function.
@@ -159,7 +151,8 @@ bool supported(InstructionSet);
 /// The best one of this processor.
 InstructionSet best_instruction_set();
 
+/// `model`: place in the list of material/list.hpp.
 template <class Real>
-Kernels<Real> kernels_for(const Variant&, InstructionSet);
+Kernels<Real> kernels_for(bool gimp, std::size_t model, InstructionSet);
 
 }  // namespace mpm::fast

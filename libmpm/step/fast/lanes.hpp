@@ -12,10 +12,11 @@
 #include <immintrin.h>
 #endif
 
+#include "libmpm/core/number.hpp"
+
 #ifndef MPM_ISA
 #define MPM_ISA baseline
 #endif
-#define MPM_INLINE inline __attribute__((always_inline))
 
 namespace mpm::fast::MPM_ISA {
 
@@ -136,3 +137,27 @@ MPM_INLINE PackF shifted(PackF before, PackF a) {
 }
 
 }  // namespace mpm::fast::MPM_ISA
+
+namespace mpm {
+
+/// Packs as numbers of material models. Everything is inlined, so that the instruction sets stay apart.
+template <>
+struct Number<fast::MPM_ISA::PackD> {
+  using Scalar = double;
+  using N = fast::MPM_ISA::PackD;
+  static MPM_INLINE N square_root(N a) { return fast::MPM_ISA::square_root(a); }
+  static MPM_INLINE N larger(N a, N b) { return fast::MPM_ISA::larger(a, b); }
+  static MPM_INLINE N smaller(N a, N b) { return fast::MPM_ISA::smaller(a, b); }
+  static MPM_INLINE N all(double a) { return fast::MPM_ISA::all(a); }
+};
+template <>
+struct Number<fast::MPM_ISA::PackF> {
+  using Scalar = float;
+  using N = fast::MPM_ISA::PackF;
+  static MPM_INLINE N square_root(N a) { return fast::MPM_ISA::square_root(a); }
+  static MPM_INLINE N larger(N a, N b) { return fast::MPM_ISA::larger(a, b); }
+  static MPM_INLINE N smaller(N a, N b) { return fast::MPM_ISA::smaller(a, b); }
+  static MPM_INLINE N all(float a) { return fast::MPM_ISA::all(a); }
+};
+
+}  // namespace mpm

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libmpm/boundary/walls.hpp"
+
 namespace mpm::fast {
 namespace {
 constexpr int spare_rows = 4;  ///< that a step may climb; more than a cell is a breakdown anyway
@@ -37,77 +39,36 @@ void NodeGrid<Real>::resize(int rows) {
   nodes_.sums = grow(sums_, 3 * sum_components);
 }
 
-/// A node on a mirror: it and its image are one, of twice the mass, momentum and force.
+/// The nodes, for walls.hpp: one layer behind the walls, and the change of velocity in place of its rate.
 template <class Real>
-void NodeGrid<Real>::stop(int i, int j, int axis) {
-  for (const Motion c : {motion_mass, motion_x, motion_y, change_x, change_y}) at(c, i, j) *= 2;
-  at(axis == 0 ? motion_x : motion_y, i, j) = 0;
-  at(axis == 0 ? change_x : change_y, i, j) = 0;
-}
+struct NodeGrid<Real>::WallNodes {
+  NodeGrid& grid;
 
-/// Adds to each of two nodes the image of the other.
-template <class Real>
-void NodeGrid<Real>::join(int i, int j, int image_i, int image_j, int axis) {
-  for (const Motion c : {motion_mass, motion_x, motion_y, change_x, change_y}) {
-    const bool normal = c == (axis == 0 ? motion_x : motion_y) || c == (axis == 0 ? change_x : change_y);
-    const Real sign = normal ? -1 : 1;
-    Real &a = at(c, i, j), &b = at(c, image_i, image_j);
-    a += sign * b;
-    b = sign * a;
+  walls::WallNode<Real> at(int i, int j) const {
+    return {grid.at(motion_mass, i, j),
+            {&grid.at(motion_x, i, j), &grid.at(motion_y, i, j)},
+            {&grid.at(change_x, i, j), &grid.at(change_y, i, j)}};
   }
-}
+  /// Particles take it up together with the heat of the transfer.
+  void leave_heat(int i, int j, Real heat) const {
+    const Real dx = grid.at(change_x, i, j), dy = grid.at(change_y, i, j);
+    grid.at(change_square, i, j) = dx * dx + dy * dy + 2 * heat;
+  }
+};
 
 template <class Real>
 void NodeGrid<Real>::reflect_sides(int first_row, int last_row) {
-  const int right = nodes_.columns;
-  for (int j = first_row; j <= last_row; ++j) {
-    stop(0, j, 0);
-    join(1, j, -1, j, 0);
-    stop(right, j, 0);
-    join(right - 1, j, right + 1, j, 0);
-  }
+  walls::reflect_sides(WallNodes{*this}, nodes_.columns, first_row, last_row, 1);
 }
 
 template <class Real>
 void NodeGrid<Real>::reflect_floor() {
-  for (int i = -1; i <= nodes_.columns + 1; ++i) {
-    stop(i, 0, 1);
-    join(i, 1, i, -1, 1);
-  }
-}
-
-template <class Real>
-void NodeGrid<Real>::move_to(int i, int j, Real velocity_x, Real velocity_y) {
-  Real &vx = at(motion_x, i, j), &vy = at(motion_y, i, j);
-  Real &dx = at(Motion::change_x, i, j), &dy = at(Motion::change_y, i, j);
-  const Real more_x = velocity_x - vx, more_y = velocity_y - vy;
-  vx = velocity_x, vy = velocity_y;
-  dx += more_x, dy += more_y;
-  const Real half = 0.5;
-  const Real heat = -(more_x * (vx - half * dx) + more_y * (vy - half * dy));
-  at(change_square, i, j) = dx * dx + dy * dy + 2 * heat;
+  walls::reflect_row(WallNodes{*this}, 0, -1, nodes_.columns + 1, 1);
 }
 
 template <class Real>
 void NodeGrid<Real>::push_off_wall() {
-  for (int i = -1; i <= nodes_.columns + 1; ++i) {
-    const Real wall_mass = at(motion_mass, i, 0);
-    if (wall_mass == 0) continue;
-    const Real below_mass = at(motion_mass, i, -1), above_mass = at(motion_mass, i, 1);
-    const Real below_y = at(motion_y, i, -1), wall_y = at(motion_y, i, 0), above_y = at(motion_y, i, 1);
-    // The velocity of the common momentum of the node above and the image of the one below.
-    const Real both = above_mass + below_mass;
-    Real x = at(motion_x, i, 1), y = above_y;
-    if (below_mass > 0) {
-      x = (above_mass * x + below_mass * at(motion_x, i, -1)) / both;
-      y = (above_mass * y - below_mass * below_y) / both;
-    }
-    const Real push = above_mass * (y - above_y) - wall_mass * wall_y + below_mass * (-y - below_y);
-    if (!(push > 0)) continue;
-    move_to(i, 0, at(motion_x, i, 0), 0);
-    move_to(i, 1, x, y);
-    move_to(i, -1, x, -y);
-  }
+  walls::push_off_wall(WallNodes{*this}, -1, nodes_.columns + 1, 1, Real(1));
 }
 
 template <class Real>

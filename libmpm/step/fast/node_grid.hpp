@@ -36,9 +36,7 @@ class NodeGrid {
   std::ptrdiff_t number(int i, int j) const {
     return static_cast<std::ptrdiff_t>(j + 1) * nodes_.stride + (i + 1);
   }
-  void stop(int i, int j, int axis);
-  void join(int i, int j, int image_i, int image_j, int axis);
-  void move_to(int i, int j, Real velocity_x, Real velocity_y);
+  struct WallNodes;
 
   AlignedArray<Real> motion_, sums_;
   Nodes<Real> nodes_{};

@@ -145,8 +145,8 @@ void Blocks<Real>::fill_empty_lanes(std::size_t b) {
     if (ids[l] != nobody) continue;
     for (int c = 0; c < columns_; ++c) values[c * width + l] = 0;
     values[node * width + l] = values[node * width + present] + static_cast<Real>(l - present);
-    if (variant_.gimp)
-      values[variant_.half_size() * width + l] = values[(variant_.half_size() + 1) * width + l] = Real(0.5);
+    if (layout_.gimp)
+      values[layout_.half_size() * width + l] = values[(layout_.half_size() + 1) * width + l] = Real(0.5);
   }
 }
 

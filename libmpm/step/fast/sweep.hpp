@@ -11,7 +11,7 @@ template <class Real, bool gimp>
 struct Sweep {
   using P = Pack<Real>;
   static constexpr int width = Lanes<Real>::width;
-  static constexpr int half_size = Variant{}.half_size();
+  static constexpr int half_size = Layout::half_size();
 
   struct Chunk {
     PackWeights<Real> weights[chunk_blocks];
@@ -126,7 +126,7 @@ struct Sweep {
 
   /// Asks for a block before it is needed. Behind the last one this does no harm.
   static MPM_INLINE void prefetch(const P* block, int columns) {
-    constexpr int per_line = 64 / static_cast<int>(sizeof(P)), sure = half_size + (gimp ? 2 : 0);
+    constexpr int per_line = 64 / static_cast<int>(sizeof(P)), sure = Layout{gimp, 0}.own();
 #pragma GCC unroll 16
     for (int c = 0; c < sure; c += per_line) __builtin_prefetch(block + c, 1);
     for (int c = (sure + per_line - 1) / per_line * per_line; c < columns; c += per_line)
@@ -172,8 +172,8 @@ struct Sweep {
         else
           advance<Order::with_strays>(f, nodes, place, w, k, dt, sums, gradient);
       });
-      stress.update(reinterpret_cast<Real*>(first), count, columns, half_size + (gimp ? 2 : 0), gradients,
-                    constants, inverse_dt, extremes);
+      stress.update(stress.model, reinterpret_cast<Real*>(first), count, columns, Layout{gimp, 0}.own(),
+                    gradients, inverse_dt, extremes);
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         const P shift_x = rounded<Real>(f[position_x]), shift_y = rounded<Real>(f[position_y]);
         if (__builtin_expect(any((shift_x != 0) | (shift_y != 0)), 0)) {
@@ -202,7 +202,7 @@ struct Sweep {
       report.lowest_node = low < report.lowest_node ? low : report.lowest_node;
       report.highest_node = high > report.highest_node ? high : report.highest_node;
     }
-    stress.report(band, constants, extremes, report);
+    stress.report(stress.model, band, extremes, report);
   }
 };
 

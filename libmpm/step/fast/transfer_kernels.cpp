@@ -1,4 +1,4 @@
-// The transfers, for the instruction set and the number that the build says (see libmpm/CMakeLists.txt).
+// The transfers, for the instruction set and the number that the build says (see CMakeLists.txt).
 #include "libmpm/step/fast/move_nodes.hpp"
 #include "libmpm/step/fast/sweep.hpp"
 

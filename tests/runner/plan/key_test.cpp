@@ -67,6 +67,14 @@ TEST(JobKey, LeavesOutWhatHasNoEffect) {
             key_of(study_text({}, "[material]\nhardening_modulus = \"0 Pa\"\n")));
 }
 
+/// Physics version 6 changed the bits of the plain step alone: jobs of the fast one keep their keys.
+TEST(JobKey, EachKernelHasAPhysicsVersion) {
+  mpm::Scene scene = fixed_scene();
+  EXPECT_THAT(canonical_text(scene), testing::StartsWith("physics_version=5\n"));
+  scene.numerics.kernel = mpm::Kernel::reference;
+  EXPECT_THAT(canonical_text(scene), testing::StartsWith("physics_version=6\n"));
+}
+
 TEST(JobKey, Is32HexadecimalDigits) {
   const std::string key = job_key(fixed_scene());
   EXPECT_EQ(key.size(), 32u);

@@ -1,0 +1,84 @@
+#pragma once
+/// Symmetric tensors of plane strain over any number (core/number.hpp). A model uses them by the functions
+/// below and asks for no component, so that it does not depend on the dimension.
+#include "libmpm/core/number.hpp"
+
+namespace mpm {
+
+/// dt L: the gradient of the displacement over a step; row = component, column = direction.
+template <class N>
+struct Gradient {
+  N xx, xy, yx, yy;
+};
+
+/// A strain over a step, with zz = 0.
+template <class N>
+struct PlaneStrain {
+  N xx, yy, xy;
+};
+
+/// A tensor without trace: zz = -(xx + yy).
+template <class N>
+struct Deviator {
+  N xx, yy, xy;
+};
+
+/// A rotation, by the cosine and the sine of its angle.
+template <class N>
+struct PlaneRotation {
+  N cosine, sine;
+};
+
+template <class N>
+MPM_INLINE N trace(const PlaneStrain<N>& e) {
+  return e.xx + e.yy;
+}
+
+template <class N>
+MPM_INLINE Deviator<N> deviator(const PlaneStrain<N>& e) {
+  const N mean = (e.xx + e.yy) * Scalar<N>(1.0 / 3.0);
+  return {e.xx - mean, e.yy - mean, e.xy};
+}
+
+template <class N>
+MPM_INLINE Deviator<N> operator-(const Deviator<N>& a, const Deviator<N>& b) {
+  return {a.xx - b.xx, a.yy - b.yy, a.xy - b.xy};
+}
+
+/// a + k b
+template <class N, class K>
+MPM_INLINE Deviator<N> sum(const Deviator<N>& a, K k, const Deviator<N>& b) {
+  return {a.xx + k * b.xx, a.yy + k * b.yy, a.xy + k * b.xy};
+}
+
+template <class N>
+MPM_INLINE Deviator<N> scaled(N k, const Deviator<N>& a) {
+  return {k * a.xx, k * a.yy, k * a.xy};
+}
+
+/// a : a / 2
+template <class N>
+MPM_INLINE N second_invariant(const Deviator<N>& a) {
+  return a.xx * a.xx + a.yy * a.yy + a.xx * a.yy + a.xy * a.xy;
+}
+
+/// a : b
+template <class N>
+MPM_INLINE N contract(const Deviator<N>& a, const Deviator<N>& b) {
+  return 2 * (a.xx * b.xx + a.yy * b.yy) + a.xx * b.yy + a.yy * b.xx + 2 * (a.xy * b.xy);
+}
+template <class N>
+MPM_INLINE N contract(const Deviator<N>& a, const PlaneStrain<N>& e) {
+  return a.xx * e.xx + a.yy * e.yy + 2 * (a.xy * e.xy);
+}
+
+/// R a R^T
+template <class N>
+MPM_INLINE Deviator<N> rotated(const PlaneRotation<N>& r, const Deviator<N>& a) {
+  const N cc = r.cosine * r.cosine, ss = r.sine * r.sine, cs = r.cosine * r.sine, cs2 = cs + cs;
+  const N double_cosine = cc - ss;
+  const N in_plane = a.xx + a.yy, xx = cc * a.xx + ss * a.yy - cs2 * a.xy;
+  return {xx, in_plane - xx, cs * (a.xx - a.yy) + double_cosine * a.xy};
+}
+
+}  // namespace mpm

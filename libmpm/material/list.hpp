@@ -1,0 +1,43 @@
+#pragma once
+/// The material models that are compiled, for the plain and the fast step, each number and each instruction
+/// set. A line more is all that a new one needs here.
+#include <cstddef>
+#include <stdexcept>
+
+#include "libmpm/material/solid.hpp"
+
+namespace mpm {
+
+template <class... Models>
+struct ModelList {
+  static constexpr std::size_t size = sizeof...(Models);
+};
+
+template <class Real>
+using CompiledModels = ModelList<  //
+    Solid<Real, Elastic, false>,   //
+    Solid<Real, IsotropicHardening, false>, Solid<Real, KinematicHardening, false>,
+    Solid<Real, Elastic, true>,  //
+    Solid<Real, IsotropicHardening, true>, Solid<Real, KinematicHardening, true>>;
+
+namespace detail {
+template <class Use, class... Models>
+void with_first(const MaterialModel& m, Use& use, ModelList<Models...>) {
+  std::size_t index = 0;
+  const auto tried = [&]<class Model>() {
+    if (!Model::fits(m)) return ++index, false;
+    use(Model(m), index);
+    return true;
+  };
+  if (!(tried.template operator()<Models>() || ...))
+    throw std::logic_error("a material model that is not compiled");
+}
+}  // namespace detail
+
+/// Calls use(model, place in the list) with the first model that fits.
+template <class Real, class Use>
+void with_model(const MaterialModel& m, Use use) {
+  detail::with_first(m, use, CompiledModels<Real>{});
+}
+
+}  // namespace mpm

@@ -1,0 +1,102 @@
+#pragma once
+/// What a material model is: one plain struct whose text is compiled for a particle at a time (the plain
+/// step) and for packs of particles (the fast step), over a number type N (core/number.hpp) and the tensors
+/// of core/symmetric.hpp. Adding one: a file in this folder and a line in list.hpp; see README.md.
+///
+/// The step over time dt first describes the motion (strain_over(): density, strain, rotation), then asks for
+/// the deviator, then for the pressure:
+///   shear()  own columns and deviator at the end of the step
+///   bulk()   pressure and viscous pressure; speeds of signals
+/// Two calls, because the pressure asks for the work of the deviator, and because a pack's chain of
+/// operations is long: the fast step makes each call for several packs at once.
+#include <concepts>
+#include <cstddef>
+#include <limits>
+
+#include "libmpm/core/symmetric.hpp"
+
+namespace mpm {
+
+/// The motion of a particle over a step, seen from its middle.
+template <class N>
+struct Strain {
+  PlaneStrain<N> rate;        ///< dt D
+  PlaneRotation<N> rotation;  ///< of the spin, by the midpoint rule: Hughes & Winget 1980
+  N compression;              ///< mu = rho / rho0 - 1 at the end of the step
+  N divisor;                  ///< 1 / (1 + implicit(J - 1, tr(dt D)))
+};
+
+/// What a model sees of a particle: references to its columns.
+template <class N>
+struct Point {
+  const N& dilation;    ///< J - 1 = rho0 / rho - 1 at the end of the step [1]
+  const N& energy;      ///< specific internal energy in the middle of the step [J/kg]
+  Deviator<N>& stress;  ///< deviator of the stress, positive in tension [Pa]
+  N& pressure;          ///< positive in compression [Pa]
+  N& viscous_pressure;  ///< [Pa]
+  N* own;               ///< the model's own columns
+};
+
+/// Speeds of signals in a particle.
+template <class N>
+struct Signal {
+  N viscous;              ///< that viscosity adds [m/s]
+  N longitudinal_square;  ///< square of the longitudinal sound speed [m^2/s^2]
+};
+
+/// Where a model holds. `most_dilation`: particles that expand further are kept there.
+template <class Real>
+struct Validity {
+  Real least_dilation, most_dilation;  ///< of J - 1
+  Real pressure_limit;                 ///< [Pa]
+};
+
+template <class M, class N>
+concept MaterialModelOver = requires(const M m, const Point<N>& point, const Strain<N>& strain, N n,
+                                     Scalar<N> dt) {
+  { m.validity() } -> std::same_as<Validity<Scalar<N>>>;
+  /// implicit(J - 1, theta), linear in theta: what the work over the step of the pressure at its end, P theta
+  /// / (2 rho), takes from this very pressure, as a share of it. Zero for a pressure that does not depend on
+  /// the energy.
+  { m.implicit(n, n) } -> std::same_as<N>;
+  { m.shear(point, strain) } -> std::same_as<void>;
+  { m.bulk(point, strain, dt) } -> std::same_as<Signal<N>>;
+  { M::own_columns } -> std::convertible_to<int>;
+};
+
+/// Density and motion from dt L = l:
+///   J <- J det(1 + l), at most the model's tenfold;   D, W: parts of l (1 + l/2)^-1, the middle of the step.
+/// One division for four: divisions are slow, and these numbers are all near 1.
+template <class N, class Model>
+MPM_INLINE Strain<N> strain_over(N& dilation_column, const Gradient<N>& l, const Model& model) {
+  using R = Scalar<N>;
+  using F = Number<N>;
+  // det(1 + l) - 1 without the 1, so that small dilations keep their digits
+  const N growth = (l.xx + l.yy) + (l.xx * l.yy - l.xy * l.yx);
+  // the second of smaller() wins where it is not a number
+  const N dilation =
+      F::smaller(F::all(model.validity().most_dilation), dilation_column + (1 + dilation_column) * growth);
+  dilation_column = dilation;
+  const N ratio = 1 + dilation;
+
+  // l (1 + l/2)^-1 times the determinant
+  const N a = 1 + R(0.5) * l.xx, b = R(0.5) * l.xy, c = R(0.5) * l.yx, d = 1 + R(0.5) * l.yy;
+  const N det = a * d - b * c;
+  const N xx_det = l.xx * d - l.xy * c, xy_det = l.xy * a - l.xx * b;
+  const N yx_det = l.yx * d - l.yy * c, yy_det = l.yy * a - l.yx * b;
+  // the rotation of the spin w: tan(w/2) = turn / det
+  const N turn = R(0.25) * (yx_det - xy_det);
+  const N det_square = det * det, turn_square = turn * turn, norm = det_square + turn_square;
+  const N implicit = model.implicit(dilation, xx_det + yy_det) + det;  // 1 / divisor, times det
+
+  const N ratio_det = ratio * det, norm_implicit = norm * implicit;
+  const N inverse_all = 1 / (ratio_det * norm_implicit);
+  const N inverse_first = inverse_all * norm_implicit, inverse_second = inverse_all * ratio_det;
+  const N inverse_det = inverse_first * ratio, inverse_norm = inverse_second * implicit;
+  return {{xx_det * inverse_det, yy_det * inverse_det, R(0.5) * (xy_det + yx_det) * inverse_det},
+          {(det_square - turn_square) * inverse_norm, (turn + turn) * det * inverse_norm},
+          -dilation * (inverse_first * det),
+          det * (inverse_second * norm)};
+}
+
+}  // namespace mpm
