@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -103,12 +104,17 @@ void print_queue(const std::vector<Submission>& submissions) {
   }
 }
 
-std::string abandoned(const RunningJob& job) {
-  if (job.gone.empty())
-    return job.last_sign.empty()
-               ? ""
-               : ", another machine's: its last sign of life was at " + job.last_sign + " by its own clock";
-  return ": " + job.gone + (job.study.empty() ? "" : "; `mpmstudy run` of its study takes the job up");
+/// What follows for the jobs that are listed as running; once, not for each.
+void print_who_runs(const std::vector<RunningJob>& running) {
+  std::map<std::string, std::string> far;  // who -> last sign of life
+  for (const auto& job : running)
+    if (job.gone.empty() && !job.last_sign.empty()) far[job.by] = job.last_sign;
+  for (const auto& [who, sign] : far)
+    fmt::print("  {} cannot be looked for from here; its last sign of life was at {} by its own clock\n", who,
+               sign);
+  const auto gone = [](const RunningJob& job) { return !job.gone.empty(); };
+  if (std::ranges::any_of(running, gone))
+    fmt::print("  `mpmstudy run` of a study takes up its jobs whose process has gone\n");
 }
 
 void print_text(const CatalogState& state, const std::vector<Submission>& submissions) {
@@ -130,10 +136,11 @@ void print_text(const CatalogState& state, const std::vector<Submission>& submis
                counted(state.stale, "job"));
   if (!state.running.empty()) fmt::print("\nrunning\n");
   for (const auto& job : state.running)
-    fmt::print("{}\n",
-               cut_text(fmt::format("  {}  {}  by {} since {}, attempt {}{}", short_key(job.key),
-                                    name_of(job.study), job.by, job.since, job.attempt, abandoned(job)),
-                        line_columns));
+    fmt::print("{}\n", cut_text(fmt::format("  {}  {}  by {} since {}, attempt {}{}", short_key(job.key),
+                                            name_of(job.study), job.by, job.since, job.attempt,
+                                            job.gone.empty() ? "" : ": " + job.gone),
+                                line_columns));
+  print_who_runs(state.running);
   if (!state.failed.empty()) fmt::print("\nfailed\n");
   for (const auto& job : state.failed)
     fmt::print("{}\n", cut_text(fmt::format("  {}  {}  {}", short_key(job.key), name_of(job.study),
