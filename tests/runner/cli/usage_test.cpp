@@ -70,8 +70,12 @@ TEST_F(Usage, exit_codes_say_how_the_studies_are) {
     EXPECT_EQ(verb({"status"}), c.status) << c.state << output;
     EXPECT_EQ(verb({"status", "--json"}), c.status) << c.state;
     EXPECT_EQ(verb({"status", smoke}), c.status) << c.state;
-    if (c.watch >= 0) EXPECT_EQ(verb({"watch", "--every", "0.1"}), c.watch) << c.state << output;
-    if (c.watch == 75) EXPECT_THAT(output, HasSubstr("nobody runs these studies now; `mpmstudy run STUDY`"));
+    if (c.watch >= 0) {
+      EXPECT_EQ(verb({"watch", "--every", "0.1"}), c.watch) << c.state << output;
+    }
+    if (c.watch == 75) {
+      EXPECT_THAT(output, HasSubstr("nobody runs these studies now; `mpmstudy run STUDY`"));
+    }
     EXPECT_EQ(verb({"run", smoke, "-q"}), c.run) << c.state << output;
     EXPECT_EQ(verb({"run", smoke, "-q"}), c.run) << "again: " << c.state << output;
   }
