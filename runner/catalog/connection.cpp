@@ -308,4 +308,15 @@ std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
   }
 }
 
+bool has_catalog(const fs::path& results) {
+  std::error_code ignored;
+  if (!fs::exists(catalog_path(results), ignored)) return false;
+  try {
+    open_for_reading(results);
+    return true;
+  } catch (const UnfinishedCatalog&) {
+    return false;
+  }
+}
+
 }  // namespace mpmstudy

@@ -14,6 +14,10 @@ namespace mpmstudy {
 /// results/catalog.db
 std::filesystem::path catalog_path(const std::filesystem::path& results);
 
+/// Is there a catalog that can be asked? A file without tables is none: another process makes it just now, or
+/// was killed while it did. Throws CatalogError where open_for_reading does for another reason.
+bool has_catalog(const std::filesystem::path& results);
+
 /// Opens the catalog for its one writer; makes folder and file where there are none (their modes are left to
 /// the umask), and brings an older layout to `schema` (a copy of the old file stays beside it as
 /// catalog.db.vN.backup). On a network file system it has a rollback journal, elsewhere a log (WAL). A file

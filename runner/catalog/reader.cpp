@@ -3,12 +3,14 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/process.hpp"
 #include "runner/catalog/runner_row.hpp"
 #include "runner/catalog/schema.hpp"
+#include "runner/catalog/timestamp.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -49,6 +51,14 @@ StudyState read_no_study(SQLite::Database& db) {
 constexpr std::string_view of_studies =
     "LEFT JOIN study_job m ON m.job_id = j.id LEFT JOIN study s ON s.id = m.study_id ";
 
+/// As far as one look can say: of a process that cannot be looked for from here, whether its last sign of
+/// life is of the last ten minutes, by whatever clock. Nobody's jobs are taken for that.
+bool may_live(const RunnerRow& runner) {
+  constexpr double recent_s = 600;
+  return runner.gone.empty() &&
+         (runner.last_sign.empty() || std::abs(seconds_between(runner.last_sign, utc_now())) < recent_s);
+}
+
 CatalogState read_all(SQLite::Database& db) {
   CatalogState state;
   SQLite::Transaction one_moment(db);
@@ -58,7 +68,7 @@ CatalogState read_all(SQLite::Database& db) {
   const bool old = db.execAndGet("PRAGMA user_version").getInt() < 7;
   const std::string columns(old ? runner_columns_before_7 : runner_columns);
   SQLite::Statement processes(db, "SELECT " + columns + " FROM runner r WHERE r.ended_at IS NULL");
-  while (processes.executeStep()) state.processes += runner_row(processes, 0).gone.empty();
+  while (processes.executeStep()) state.processes += may_live(runner_row(processes, 0));
   SQLite::Statement running(db, "SELECT j.key, s.name, j.started_at, j.attempt, " + columns +
                                     " FROM job j JOIN runner r ON r.id = j.runner_id " +
                                     std::string(of_studies) +

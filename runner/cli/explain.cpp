@@ -115,7 +115,7 @@ std::optional<Wanted> find_in_files(const ExplainOptions& options, const std::st
   std::vector<std::pair<std::string, StudyOptions>> files;
   for (const auto& file : options.files)
     files.emplace_back(file, last_form(file, options.study, options.results).options);
-  if (files.empty() && fs::exists(catalog_path(options.results)))
+  if (files.empty() && has_catalog(options.results))
     for (auto& study : read_studies(options.results))
       if (fs::exists(study.source.path))
         files.push_back({study.source.path, {std::move(study.source.set), study.source.cells, true}});
@@ -233,8 +233,8 @@ void setup_explain(CLI::App& app) {
 }
 
 int run_explain(const ExplainOptions& options) {
-  const bool has_catalog = fs::exists(catalog_path(options.results));
-  const auto all = has_catalog ? read_jobs(options.results) : std::vector<StoredJob>();
+  const bool catalog = has_catalog(options.results);
+  const auto all = catalog ? read_jobs(options.results) : std::vector<StoredJob>();
   const StoredJob* job = nullptr;
   for (const auto& one : all)
     if (one.job.key.starts_with(options.key)) {

@@ -29,7 +29,7 @@ std::string key_of(const std::string& set) {
 bool is_name(const std::string& set) { return key_of(set) == "name"; }
 
 std::optional<StudySource> recorded_source(const std::string& results, const std::string& name) {
-  if (!fs::exists(catalog_path(results))) return std::nullopt;
+  if (!has_catalog(results)) return std::nullopt;
   for (StoredStudy& study : read_studies(results))
     if (study.name == name) return std::move(study.source);
   return std::nullopt;

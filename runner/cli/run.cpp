@@ -73,7 +73,7 @@ std::unique_ptr<Status> make_status(const RunOptions& options, const JobLabels& 
 int print_intent(const RunOptions& options, const std::vector<Study>& studies,
                  const std::vector<PlannedStudy>& planned, const CostModel& cost, const JobLabels& labels) {
   std::map<std::string, std::string> known;
-  if (std::filesystem::exists(catalog_path(options.results)))
+  if (has_catalog(options.results))
     for (const auto& row : query(options.results, "SELECT DISTINCT key, status FROM jobs").rows)
       known[std::get<std::string>(row[0])] = std::get<std::string>(row[1]);
   std::vector<Job> jobs;

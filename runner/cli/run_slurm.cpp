@@ -92,7 +92,7 @@ void check_scripts(const RunOptions& options) {
 /// Keys of the catalog's jobs that are in one of these states. Without a catalog: none.
 std::set<std::string> keys_with(const std::string& results, const std::string& states) {
   std::set<std::string> keys;
-  if (fs::exists(catalog_path(results)))
+  if (has_catalog(results))
     for (const auto& row :
          query(results, "SELECT DISTINCT key FROM jobs WHERE status IN (" + states + ")").rows)
       keys.insert(std::get<std::string>(row[0]));

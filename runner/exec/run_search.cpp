@@ -225,7 +225,7 @@ int SearchReport::exit_code() const {
 
 SearchForecast forecast_search(const Study& study, const std::filesystem::path& results, bool retry_failed) {
   std::unordered_map<std::string, State> states;
-  if (std::filesystem::exists(catalog_path(results))) states = states_of_all(results);
+  if (has_catalog(results)) states = states_of_all(results);
   return forecast_search(study, [&](const std::string& key) -> std::optional<Verdict> {
     const auto found = states.find(key);
     if (found == states.end()) return std::nullopt;

@@ -122,10 +122,14 @@ TEST_F(Shares, a_long_job_goes_on_where_flock_is_refused_and_says_why_it_begins_
     kill(child, SIGTERM);
     EXPECT_EQ(wait_for(child), 75) << output;
   };
+  const auto forget_log = [&] {
+    fs::remove(log);
+  };  // or the words of the run before are taken for this one's
   pid_t child = start(words);
   ASSERT_TRUE(comes_true([&] { return !checkpoint().empty(); }));
   stop(child);
   const auto shows_progress = [&] { return log_now().find(" %, step") != std::string::npos; };
+  forget_log();
   child = start_with({{"FAKE_FLOCK_ERRNO", "524"}}, words);
   ASSERT_TRUE(comes_true(shows_progress)) << log_now();
   stop(child);
@@ -133,6 +137,7 @@ TEST_F(Shares, a_long_job_goes_on_where_flock_is_refused_and_says_why_it_begins_
   const fs::path cut = checkpoint();
   ASSERT_FALSE(cut.empty());
   fs::resize_file(cut, 1000);
+  forget_log();
   child = start(words);
   ASSERT_TRUE(comes_true(shows_progress)) << log_now();
   stop(child);

@@ -349,9 +349,20 @@ TEST_F(Opening, a_catalog_that_was_being_made_when_the_process_was_killed_is_fin
   }
   waitpid(child, nullptr, 0);
   ASSERT_TRUE(fs::exists(path.string() + "-journal"));
+  EXPECT_FALSE(has_catalog(results));
   EXPECT_THROW(open_for_reading(results), UnfinishedCatalog);
   EXPECT_TRUE(measured_costs(results).empty());  // the first that `run` asks
   EXPECT_EQ(integer(*open_for_writing(results), "PRAGMA user_version"), version);
+}
+
+TEST_F(Opening, a_file_that_another_process_is_about_to_fill_is_no_catalog_yet) {
+  EXPECT_FALSE(has_catalog(results));
+  fs::create_directories(results);
+  std::ofstream{path};
+  EXPECT_FALSE(has_catalog(results));
+  EXPECT_TRUE(measured_costs(results).empty());
+  open_for_writing(results);
+  EXPECT_TRUE(has_catalog(results));
 }
 
 TEST_F(Opening, reading_needs_a_catalog) {
