@@ -70,7 +70,7 @@ State checked_state(const Scene& scene) {
 State checked_body(const Scene& scene, State body) {
   const std::size_t n = body.particles.size();
   if (body.velocity_gradient.empty()) body.velocity_gradient.assign(n, Mat2::Zero());
-  if (scene.material.kinematic_fraction > 0 && body.particles.back_stress.empty())
+  if (scene.material.hardens_kinematically() && body.particles.back_stress.empty())
     body.particles.back_stress.resize(n);
   refuse(find_problems(scene, body));
   return body;

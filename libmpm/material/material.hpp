@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,10 @@ struct Material {
   Tension tension = Tension::polynomial;
   double spall_strength = 0;  ///< [Pa], positive; used by Tension::cutoff only
 
+  /// Whether hardening moves the yield surface: only then there is a back stress.
+  bool hardens_kinematically() const {
+    return std::isfinite(yield_stress) && kinematic_fraction > 0 && hardening_modulus > 0;
+  }
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }  ///< G [Pa]
   double hardening_per_equivalent_strain() const;                                       ///< H [Pa]
 };

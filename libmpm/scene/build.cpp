@@ -16,8 +16,7 @@ State build_state(const Scene& s) {
   State state = empty_state(l.origin, l.cell, l.columns, kind.floor(s));
   state.particles.reserve(static_cast<std::size_t>(l.columns * l.rows * side * side));
   fill_rows(state, kind.body(s, l), s.material.reference_density, side, l.empty_rows, l.rows);
-  if (std::isfinite(s.material.yield_stress) && s.material.kinematic_fraction > 0)
-    state.particles.back_stress.resize(state.particles.size());
+  if (s.material.hardens_kinematically()) state.particles.back_stress.resize(state.particles.size());
   return state;
 }
 

@@ -11,6 +11,7 @@ std::vector<ThinPart> thin_parts(const Scene& s) {
   constexpr double rounding = 1e-9;
   const auto look = [&](std::string_view part, std::string_view parameter, double size) {
     const double cells = std::max(size, 0.0) / h;
+    if (cells < rounding) return;  // a cavity that touches: there is no such part
     if (cells < least_cells_across - rounding) parts.push_back({part, parameter, std::max(size, 0.0), cells});
   };
   const double r = s.cavity_radius, y = s.cavity_center_height;

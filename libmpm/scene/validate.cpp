@@ -115,7 +115,7 @@ void check_body(const Scene& s, const State& body, Report& report) {
        {ps.velocity.size(), ps.mass.size(), ps.initial_volume.size(), ps.dilation.size(), ps.energy.size(),
         ps.pressure.size(), ps.viscous_pressure.size(), ps.deviator.size(), ps.plastic_strain.size(),
         ps.plastic_work.size(), ps.half_size.size(), body.velocity_gradient.size(),
-        s.material.kinematic_fraction > 0 ? ps.back_stress.size() : n})
+        s.material.hardens_kinematically() ? ps.back_stress.size() : n})
     if (size != n)
       return report.add_other("body", text_of(static_cast<double>(size)) + " values in a column",
                               "one value for each of its " + text_of(static_cast<double>(n)) + " particles");

@@ -19,16 +19,16 @@ Scene small_scene() {
   Scene s;
   s.kind = SceneKind::cavity_impact;
   s.material = named_material("aluminium");
-  s.material.pressure_limit = 5e9;
-  s.impact_speed = 1000;
+  s.material.pressure_limit = 5.5e9;  // nine tenths of it are passed, and that ends a run
+  s.impact_speed = 300;
   s.block_width = 8e-6, s.block_height = 4e-6;
   s.cavity_radius = 1e-6, s.cavity_center_height = 2e-6;
-  s.end_time = 1.5e-9;
+  s.end_time = 1e-9;
   s.numerics = default_numerics(s.kind);
   s.numerics.cell_size = 0.5e-6;
   s.measures.area_every = 0.25e-9;
   s.measures.detached_for = default_detached_for(s);
-  s.measures.snapshots = {1e-9};
+  s.measures.snapshots = {0.9e-9};
   return s;
 }
 
@@ -84,12 +84,14 @@ TEST(Effect, WhatIsInertChangesNoBit) {
       set(scene, one.name, condition->inert(scene));
       set(changed, one.name, one.value);
       ASSERT_EQ(find_problems(changed).size(), 0u) << one.name;
-      EXPECT_EQ(everything_of(scene), everything_of(changed)) << one.name;
+      EXPECT_TRUE(everything_of(scene) == everything_of(changed)) << one.name;
     }
 }
 
 TEST(Effect, EverythingElseChangesSomething) {
   const Scene scene = small_scene();
+  const RunResult plain = run(scene);
+  ASSERT_EQ(plain.status, RunStatus::done) << plain.reason;
   const std::string before = everything_of(scene);
   for (const Quantity& row : quantities()) {
     const Condition* condition = condition_of(row.name);
@@ -101,7 +103,7 @@ TEST(Effect, EverythingElseChangesSomething) {
       row.set(changed, row.get(scene) == 0 ? 0.1 : 0.9 * row.get(scene));
     if (!fast_step_has(changed.numerics)) changed.numerics.kernel = Kernel::reference;
     ASSERT_EQ(find_problems(changed).size(), 0u) << row.name;
-    EXPECT_NE(everything_of(changed), before) << row.name;
+    EXPECT_TRUE(everything_of(changed) != before) << row.name;
   }
   for (const Choice& row : choices()) {
     const Condition* condition = condition_of(row.name);
@@ -109,7 +111,7 @@ TEST(Effect, EverythingElseChangesSomething) {
     Scene changed = scene;
     row.set(changed, 1 - std::min<std::size_t>(row.get(scene), 1));
     if (!fast_step_has(changed.numerics)) changed.numerics.kernel = Kernel::reference;
-    EXPECT_NE(everything_of(changed), before) << row.name;
+    EXPECT_TRUE(everything_of(changed) != before) << row.name;
   }
 }
 

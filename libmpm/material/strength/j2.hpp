@@ -28,7 +28,7 @@ struct BasicJ2 {
         isotropic_modulus((1 - m.kinematic_fraction) * m.hardening_per_equivalent_strain()),
         kinematic_modulus(m.kinematic_fraction * m.hardening_per_equivalent_strain()),
         inverse_return(1 / (3 * shear_modulus + isotropic_modulus + kinematic_modulus)),
-        kinematic(m.kinematic_fraction > 0) {}
+        kinematic(m.hardens_kinematically()) {}
   /// The same constants, rounded.
   template <class Other>
   explicit BasicJ2(const BasicJ2<Other>& o)
