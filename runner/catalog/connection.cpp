@@ -264,10 +264,12 @@ std::unique_ptr<SQLite::Database> open_for_writing(const fs::path& results, cons
 
 std::unique_ptr<SQLite::Database> open_for_reading(const fs::path& results) {
   const fs::path path = catalog_path(results);
-  std::error_code ignored;
-  if (!fs::exists(path, ignored))
+  std::error_code error;
+  if (!fs::exists(path, error)) {
+    if (error) throw CatalogError(path.string() + ": cannot be read: " + error.message() + who_may(path));
     throw CatalogError(path.string() +
                        ": there is no catalog; `mpmstudy run STUDY` makes one, --results names its folder");
+  }
   check_is_file(path);
   watch_locks();
   const int flags = SQLite::OPEN_READONLY | SQLite::OPEN_NOMUTEX;

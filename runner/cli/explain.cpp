@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -232,7 +233,11 @@ void setup_explain(CLI::App& app) {
   verb.callback([options] { finish(run_explain(*options)); });
 }
 
-int run_explain(const ExplainOptions& options) {
+int run_explain(const ExplainOptions& said) {
+  ExplainOptions options = said;
+  // CSV ends its lines with carriage return and line feed, and shells leave the first to the key.
+  while (!options.key.empty() && std::isspace(static_cast<unsigned char>(options.key.back())))
+    options.key.pop_back();
   const bool catalog = has_catalog(options.results);
   const auto all = catalog ? read_jobs(options.results) : std::vector<StoredJob>();
   const StoredJob* job = nullptr;

@@ -20,6 +20,7 @@
 #include "runner/cli/missing.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/finish/claims.hpp"
+#include "runner/finish/paper_scenes.hpp"
 #include "runner/finish/reference_claims.hpp"
 #include "runner/finish/report.hpp"
 
@@ -83,8 +84,10 @@ void keep_fuller_page(const std::filesystem::path& output, const std::string& pa
              output.string(), had, has, kept.string());
 }
 
-/// Files of the studies that claims rest on, as the files say: those of `forms`, or of the catalog.
-std::vector<Study> studies_as_written(const std::vector<StudyForm>& forms, const std::string& results) {
+/// Files of the studies that claims rest on, as the files say: those of `forms`, or of the catalog. Files
+/// that bear such a name and say something else are left out: name -> what they say.
+std::vector<Study> studies_as_written(const std::vector<StudyForm>& forms, const std::string& results,
+                                      std::map<std::string, std::string>& unlike) {
   std::map<std::string, StudyForm> by_name;
   for (const StoredStudy& stored : read_studies(results))
     if (std::filesystem::exists(stored.source.path)) {
@@ -102,7 +105,11 @@ std::vector<Study> studies_as_written(const std::vector<StudyForm>& forms, const
     const StudyForm form = as_written(found->second);
     try {
       Study study = read_study(form.path, form.options);
-      if (study.name == name) studies.push_back(std::move(study));
+      if (study.name != name) continue;
+      if (const std::string text = unlike_the_paper(study); !text.empty())
+        unlike[name] = form.path + " has " + text;
+      else
+        studies.push_back(std::move(study));
     } catch (const StudyError& error) {
       fmt::print(stderr, "{}\n", error.what());  // its claims are not judged, and say so
     }
@@ -132,7 +139,11 @@ int run_report(const ReportOptions& options) {
   for (const StudyForm& form : forms)
     studies.push_back(
         {read_study(form.path, form.options), options_text(form.options.set, form.options.cells)});
-  const std::vector<Claim> claims = judge_claims(options.results, studies_as_written(forms, options.results));
+  std::map<std::string, std::string> unlike;
+  std::vector<Claim> claims =
+      judge_claims(options.results, studies_as_written(forms, options.results, unlike));
+  for (Claim& c : claims)
+    if (const auto found = unlike.find(c.study); found != unlike.end()) c.measured = found->second;
   const std::string page = report_page(studies, options.results, claims);
   {
     WriterOptions writer_options;

@@ -377,9 +377,24 @@ void setup_run(CLI::App& app, RunSeams given) {
   verb.callback([options, seams] { finish(run_run(*options, *seams)); });
 }
 
+/// Options that would be of no effect. Throws StudyError.
+void refuse_idle_options(const RunOptions& options, const std::vector<Study>& studies) {
+  const SlurmOptions &said = options.slurm, plain;
+  if (options.engine != "slurm" && (!said.options.empty() || said.shard_time != plain.shard_time ||
+                                    said.most_shards != plain.most_shards || said.rounds != plain.rounds))
+    throw StudyError(
+        "--slurm, --shard-time, --shards and --rounds are for --engine slurm; without it the jobs would run "
+        "on "
+        "this machine");
+  if (share_of(options.audit) > 0 &&
+      std::ranges::none_of(studies, [](const Study& study) { return study.search.has_value(); }))
+    throw StudyError("--audit " + options.audit + ": none of these studies has a [search] to audit");
+}
+
 int run_run(const RunOptions& options, const RunSeams& seams) {
   std::vector<Study> studies;
   for (const auto& file : options.files) studies.push_back(read_study(file, options.study));
+  refuse_idle_options(options, studies);
   check_names(studies);
   const CostModel cost(measured_costs(options.results));
   const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit), {}};

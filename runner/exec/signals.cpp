@@ -21,7 +21,8 @@ std::atomic<std::int64_t> asked_at{0};
 std::atomic<int> resumed{0};
 std::atomic<bool> closed{false};
 
-constexpr std::array stopping = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU, SIGPWR};
+constexpr std::array stopping = {SIGINT,  SIGTERM, SIGHUP,  SIGQUIT,   SIGUSR1, SIGUSR2,
+                                 SIGXCPU, SIGPWR,  SIGALRM, SIGVTALRM, SIGPROF};
 constexpr std::array others = {SIGPIPE, SIGXFSZ, SIGCONT};
 std::array<struct sigaction, stopping.size() + others.size()> old_actions;
 

@@ -8,7 +8,7 @@ namespace mpmstudy {
 namespace {
 
 /// Of the program with its catalog, without a job.
-constexpr double bytes_of_program = 30e6;
+constexpr double bytes_of_program = 18e6;
 /// Columns of mpm::Particles, which both kernels have, and of their velocity gradients.
 constexpr double bytes_of_columns = 200;
 /// What the fast step keeps beside them (libmpm/step/PERFORMANCE.md).

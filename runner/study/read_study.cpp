@@ -70,6 +70,10 @@ class Reader {
       if (!is_file_name(*name))
         problems_.add("name", document_.find("name")->value,
                       {"cannot be a study's name", "allowed: letters, digits, '-', '_' and '.'"});
+      else if (name->ends_with("-audit"))
+        problems_.add("name", document_.find("name")->value,
+                      {"is kept for the runs that an audit of a search makes",
+                       "allowed: a name that does not end in -audit"});
     }
     study_.title = study_.name;
     if (document_.find("title"))

@@ -304,6 +304,29 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
   return figures;
 }
 
+/// A width, not a place: units with a zero point of their own (degC) have no width.
+double read_tolerance(const Value& value, const mpm::Quantity& row, const SearchRequest& search,
+                      const Units& units, Problems& problems) {
+  if (const std::string* text = value.string()) {
+    const auto unit = text->find_first_not_of("+-.0123456789eE \t");
+    const auto conversion = units.conversion(
+        unit == std::string::npos ? std::string_view("1") : std::string_view(*text).substr(unit), row.unit);
+    const auto* known = std::get_if<Conversion>(&conversion);
+    if (known && !known->shift && known->offset != 0) {
+      problems.add("tolerance", value,
+                   {"is a difference, and the unit has a zero point of its own",
+                    "allowed: a width in " + std::string(row.unit)});
+      return 0;
+    }
+  }
+  const double width = read_bound("tolerance", value, row, mpm::Range::positive, units, problems).value_or(0);
+  if (search.upper > search.lower && width > search.upper - search.lower)
+    problems.add("tolerance", value,
+                 {"is wider than `between`, so that nothing is left to search",
+                  "allowed: a width below that of `between`"});
+  return width;
+}
+
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind> kind,
                                          const Units& units, Problems& problems) {
   const Entry* entry = document.find("search");
@@ -323,8 +346,7 @@ std::optional<SearchRequest> read_search(const Table& document, std::optional<mp
   if (!row) return std::nullopt;
   read_between(*entry, table, *row, units, search, problems);
   if (const Entry* tolerance = table.find("tolerance"))
-    search.tolerance =
-        read_bound("tolerance", tolerance->value, *row, mpm::Range::positive, units, problems).value_or(0);
+    search.tolerance = read_tolerance(tolerance->value, *row, search, units, problems);
   else
     problems.add(entry->place, "tolerance", {"missing", "give the width at which the search ends"});
   check_steps(table, *row, search, problems);

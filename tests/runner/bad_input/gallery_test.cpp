@@ -130,7 +130,11 @@ TEST(BadInput, CommandLines) {
        "other "},
       {"check good.toml --set scene='cavity\u2011impact'",
        "--set: scene = \"cavity\u2011impact\": no such scene (it holds U+2011, a dash); "},
-      {"chekc good.toml", "The following arguments were not expected"},
+      {"chekc good.toml", "chekc: no verb of mpmstudy; did you mean check?"},
+      {"run good.toml --slurm=--partition=x",
+       "--slurm, --shard-time, --shards and --rounds are for --engine slurm"},
+      {"run good.toml --audit '5 %'", "--audit 5 %: none of these studies has a [search]"},
+      {"check good.toml --set name=q-audit", "--set: name = \"q-audit\": is kept for the runs that an audit"},
       {"", "Parameter studies"},
   };
   for (const auto& one : cases) {
@@ -238,7 +242,7 @@ TEST(BadInput, GoodFilesBesideBadOnes) {
   std::ofstream(folder.path() / "good.toml") << good_study;
   const Outcome outcome = run(folder, "check good.toml absent.toml good.toml");
   EXPECT_EQ(outcome.exit_code, 2);
-  const std::string line = "ok: good, 1 job, about 52.5 MB of memory each and 0.0047 CPU-hours\n";
+  const std::string line = "ok: good, 1 job, about 21.5 MB of memory each and 0.0023 CPU-hours\n";
   EXPECT_EQ(outcome.out, line + line);
   EXPECT_THAT(outcome.err, StartsWith("absent.toml: "));
 }

@@ -52,7 +52,7 @@ TEST_F(Verbs, explain_says_which_parameter_is_new_and_where_it_is_said) {
 
 TEST_F(Verbs, explain_says_where_snapshots_and_materials_are_said) {
   ASSERT_EQ(verb({"run", study, "-q", "--set", "snapshots=[\"0.5 ns\"]", "--set", "name=one"}), 0) << output;
-  const auto key = text("SELECT key FROM jobs WHERE study = 'one' LIMIT 1");
+  const auto key = text("SELECT key FROM jobs WHERE study = 'one' ORDER BY position LIMIT 1");
   ASSERT_EQ(verb({"explain", key}), 0) << output;
   EXPECT_THAT(output, ContainsRegex("  snapshots = 1 time \\(there 2 times\\)  --set\n"));
   // What no key says is the named material's.

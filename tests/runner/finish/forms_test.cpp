@@ -126,6 +126,14 @@ TEST_F(Forms, AClaimIsNotJudgedOnAnotherSpeed) {
   EXPECT_THAT(printed, HasSubstr("not run"));
 }
 
+TEST_F(Forms, AClaimIsNotJudgedOnAFileThatOnlyBearsTheName) {
+  const std::string mine = write("weak-collapse.toml", std::string(study_text("weak-collapse"))).string();
+  ASSERT_EQ(run("run -q " + mine, printed), 0) << printed;
+  run("report " + mine, printed);
+  EXPECT_THAT(first("SELECT verdict || ': ' || measured FROM claims WHERE name = 'incomplete-collapse'"),
+              testing::ContainsRegex("^not run: .*weak-collapse.toml has .* in place of "));
+}
+
 TEST_F(Forms, AClaimIsJudgedOnOtherCells) {
   const std::string study = std::string(SOURCE_DIR) + "/studies/planar-impact.toml";
   ASSERT_EQ(run("run -q --cells 2 " + study, printed), 0) << printed;

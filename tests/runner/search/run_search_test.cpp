@@ -279,7 +279,7 @@ TEST_F(SearchStudy, OfAYieldStressIsFiledFittedAndDrawnInPascals) {
   EXPECT_NEAR(fits.rows[1].value, 1e6, 0.04e6);
   EXPECT_NEAR(fits.rows[3].value, 1.5e6, 0.04e6);
   draw_figures(study, results);
-  std::ifstream svg(folder.path() / "figures" / "firm.svg");
+  std::ifstream svg(folder.path() / "figures" / study.name / "firm.svg");
   std::stringstream drawn;
   drawn << svg.rdbuf();
   EXPECT_THAT(drawn.str(), testing::HasSubstr("Critical yield stress"));
