@@ -137,7 +137,8 @@ std::string who_may_if_denied(const fs::path& path) {
 }
 
 void make_by_umask(const fs::path& path) {
-  // A file that is there is not opened: closing it would drop the locks that SQLite has on it in this process.
+  // A file that is there is not opened: closing it would drop the locks that SQLite has on it in this
+  // process.
   const int file = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file >= 0) close(file);  // where it cannot be made, opening it says why
 }

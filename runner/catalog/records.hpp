@@ -92,18 +92,18 @@ struct IntervalRow {
 
 /// A bracket of a critical value and the two jobs that prove it; a row of the view `brackets`.
 struct BracketRow {
-  std::string quantity;                   ///< what was searched: "impact_speed"
-  std::string unit;                       ///< SI; of lower, upper, extrapolated, interval
-  std::optional<double> lower, upper;     ///< empty: not found, and flags say why
-  std::string lower_key, upper_key;       ///< "" without ends
-  double cell_size = 0;                   ///< [m]
-  std::optional<double> extrapolated{};   ///< to cells of size 0; on the finest cell of a ladder
-  std::optional<double> interval{};       ///< half width of its interval, resolution included
-  std::string flags{};                    ///< what a reader has to know: "flips back at 410"; mostly ""
-  std::int64_t runs = 0;                  ///< jobs that this search asked for
-  std::int64_t position = 0;              ///< of the point in the study's sweep
-  std::string swept = "{}";               ///< JSON object: column of jobs -> value of what else is swept
-  std::optional<double> wall_thickness{}; ///< [m]; for the view `critical_speed`
+  std::string quantity;                    ///< what was searched: "impact_speed"
+  std::string unit;                        ///< SI; of lower, upper, extrapolated, interval
+  std::optional<double> lower, upper;      ///< empty: not found, and flags say why
+  std::string lower_key, upper_key;        ///< "" without ends
+  double cell_size = 0;                    ///< [m]
+  std::optional<double> extrapolated{};    ///< to cells of size 0; on the finest cell of a ladder
+  std::optional<double> interval{};        ///< half width of its interval, resolution included
+  std::string flags{};                     ///< what a reader has to know: "flips back at 410"; mostly ""
+  std::int64_t runs = 0;                   ///< jobs that this search asked for
+  std::int64_t position = 0;               ///< of the point in the study's sweep
+  std::string swept = "{}";                ///< JSON object: column of jobs -> value of what else is swept
+  std::optional<double> wall_thickness{};  ///< [m]; for the view `critical_speed`
 };
 
 /// One sentence of the paper, judged; a row of the view `claims`.

@@ -38,8 +38,9 @@ struct CatalogSchema {
 /// The layout of this build.
 CatalogSchema current_catalog_schema();
 
-/// SQL over a row of `job`: 1 where an older physics made it, that of its kernel (libmpm/scene/physics_version.hpp).
-/// The column of the kernel is in double quotes: a catalog that is older than that column has none.
+/// SQL over a row of `job`: 1 where an older physics made it, that of its kernel
+/// (libmpm/scene/physics_version.hpp). The column of the kernel is in double quotes: a catalog that is older
+/// than that column has none.
 std::string stale_sql();
 
 /// SQL that drops and makes every view, over the parameter columns that the catalog has.

@@ -112,10 +112,11 @@ void Store::replace_brackets(const std::string& study, const std::vector<Bracket
   const auto id = impl_->study_id(study);
   SQLite::Statement forget(*impl_->db, "DELETE FROM bracket WHERE study_id = ?");
   execute(forget, id);
-  SQLite::Statement insert(*impl_->db,
-                           "INSERT INTO bracket (study_id, position, quantity, unit, lower, upper, lower_key, "
-                           "upper_key, cell_size_m, extrapolated, interval, flags, runs, swept, "
-                           "wall_thickness_m) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  SQLite::Statement insert(
+      *impl_->db,
+      "INSERT INTO bracket (study_id, position, quantity, unit, lower, upper, lower_key, "
+      "upper_key, cell_size_m, extrapolated, interval, flags, runs, swept, "
+      "wall_thickness_m) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& b : rows)
     execute(insert, id, b.position, b.quantity, b.unit, b.lower, b.upper, or_null(b.lower_key),
             or_null(b.upper_key), b.cell_size, b.extrapolated, b.interval, b.flags, b.runs, b.swept,

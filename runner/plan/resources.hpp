@@ -8,8 +8,8 @@ namespace mpmstudy {
 
 /// Memory of one job while it runs [bytes]: particles and grid of its kernel, with the copy that samples and
 /// snapshots are taken from. With the memory of the program itself, which comes to it once, within a tenth of
-/// the peak that was measured for `run -j 1` with 19404 and 215552 particles, in double, in float and with the
-/// plain step.
+/// the peak that was measured for `run -j 1` with 19404 and 215552 particles, in double, in float and with
+/// the plain step.
 double predicted_bytes(const mpm::Scene&, const mpm::Estimate&);
 
 struct Demand {

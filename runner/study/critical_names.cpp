@@ -25,8 +25,7 @@ std::optional<CriticalResult> critical_result(std::string_view name, std::string
     return std::nullopt;
   }
   for (const std::string& known : critical_names(quantity))
-    if (name == known)
-      return name.ends_with(suffix) ? CriticalResult::extrapolated : CriticalResult::bracket;
+    if (name == known) return name.ends_with(suffix) ? CriticalResult::extrapolated : CriticalResult::bracket;
   return std::nullopt;
 }
 

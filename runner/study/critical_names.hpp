@@ -6,8 +6,8 @@
 
 namespace mpmstudy {
 
-/// What a [search] finds, as fits and figures ask for it: "critical_yield_stress" is the middle of the bracket
-/// on one cell, "critical_yield_stress_extrapolated" the value for cells of size 0. A speed is
+/// What a [search] finds, as fits and figures ask for it: "critical_yield_stress" is the middle of the
+/// bracket on one cell, "critical_yield_stress_extrapolated" the value for cells of size 0. A speed is
 /// "critical_speed" and "critical_speed_extrapolated" as well.
 enum class CriticalResult { bracket, extrapolated };
 

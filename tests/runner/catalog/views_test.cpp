@@ -67,12 +67,13 @@ TEST_F(Views, others) {
   EXPECT_EQ(columns("critical_speed"),
             (Names{"study", "wall_thickness_m", "lower_m_s", "upper_m_s", "lower_key", "upper_key",
                    "cell_size_m", "extrapolated_m_s", "interval_m_s", "flags", "runs", "position"}));
-  EXPECT_EQ(columns("brackets"), (Names{"study", "quantity", "unit", "lower", "upper", "lower_key",
-                                         "upper_key", "cell_size_m", "extrapolated", "interval", "flags",
-                                         "runs", "position", "swept"}));
+  EXPECT_EQ(columns("brackets"),
+            (Names{"study", "quantity", "unit", "lower", "upper", "lower_key", "upper_key", "cell_size_m",
+                   "extrapolated", "interval", "flags", "runs", "position", "swept"}));
   EXPECT_EQ(columns("claims"), (Names{"name", "sentence", "verdict", "measured", "note", "study"}));
-  EXPECT_EQ(columns("fits"), (Names{"study", "quantity", "model", "coefficient", "value", "standard_error",
-                                    "r2", "unit", "against", "covariance", "reduced_chi2", "points", "family"}));
+  EXPECT_EQ(columns("fits"),
+            (Names{"study", "quantity", "model", "coefficient", "value", "standard_error", "r2", "unit",
+                   "against", "covariance", "reduced_chi2", "points", "family"}));
   EXPECT_EQ(columns("snapshots"), (Names{"key", "time_s", "path", "bytes", "checksum", "step"}));
   EXPECT_EQ(columns("events"),
             (Names{"key", "from_status", "to_status", "at", "by", "attempt", "reason", "id"}));
@@ -89,8 +90,8 @@ TEST_F(Views, every_column_is_documented) {
   std::ifstream file(SOURCE_DIR "/runner/catalog/README.md");
   std::stringstream text;
   text << file.rdbuf();
-  for (const char* view : {"jobs", "metrics", "area_history", "brackets", "critical_speed", "fits", "snapshots", "events",
-                           "studies", "accuracy", "ladders", "claims"})
+  for (const char* view : {"jobs", "metrics", "area_history", "brackets", "critical_speed", "fits",
+                           "snapshots", "events", "studies", "accuracy", "ladders", "claims"})
     for (const auto& column : columns(view))
       EXPECT_NE(text.str().find("`" + column + "`"), std::string::npos) << view << "." << column;
 }
