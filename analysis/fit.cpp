@@ -1,5 +1,7 @@
 #include "analysis/fit.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <Eigen/QR>
 #include <algorithm>
@@ -86,6 +88,12 @@ std::optional<double> Fit::reduced_chi2() const {
   return *residual_standard_deviation * *residual_standard_deviation;
 }
 
+std::string Fit::r2_text() const {
+  if (r2) return fmt::format("{:.4f}", *r2);
+  if (degrees_of_freedom > 0 || !ok()) return "";
+  return fmt::format("not judged ({} points, {} coefficients)", points, coefficients.size());
+}
+
 double Fit::operator()(double x) const {
   const double z = (x - scaled.centre) / scaled.scale;
   double value = 0;
@@ -139,7 +147,7 @@ Fit fit_polynomial(FitModel model, std::span<const double> x, std::span<const do
   fit.degrees_of_freedom = fit.points - count;
   fit.weighted = !y_error.empty();
   const Scatter sums = scatter(design, values, root_weight, solution);
-  if (sums.total > 0) fit.r2 = 1 - sums.residual / sums.total;
+  if (sums.total > 0 && fit.degrees_of_freedom > 0) fit.r2 = 1 - sums.residual / sums.total;
   double variance = 1;
   if (fit.degrees_of_freedom > 0) {
     const double reduced = sums.residual / fit.degrees_of_freedom;

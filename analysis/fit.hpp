@@ -26,7 +26,9 @@ struct Fit {
   /// errors.
   std::vector<double> standard_errors;
   std::vector<double> covariance;  ///< of the coefficients, by rows; empty where standard_errors is
-  std::optional<double> r2;  ///< 1 - (weighted) residual / total sum of squares; empty where all y are equal
+  /// 1 - (weighted) residual / total sum of squares; empty where all y are equal, and where as many points as
+  /// coefficients leave no residual to judge by.
+  std::optional<double> r2;
   std::optional<double>
       residual_standard_deviation;  ///< sqrt(sum w r^2 / dof), w = 1 without errors; empty at dof 0
   int points = 0;
@@ -39,6 +41,8 @@ struct Fit {
   /// Weighted squares of the residuals per degree of freedom. Above 1 the points scatter more than their
   /// errors say: the model does not hold within them. Empty without errors or without a point to spare.
   std::optional<double> reduced_chi2() const;
+  /// "0.9987"; "not judged (2 points, 2 coefficients)"; "" where all y are equal.
+  std::string r2_text() const;
   /// The polynomial at x. Only where ok().
   double operator()(double x) const;
   /// Half width, at x, of the interval that covers the true curve at this confidence (of one x, not of all at

@@ -323,7 +323,10 @@ std::string fit_caption(const Fit& fit, const Quantity& x, const DisplayUnit& x_
   }
   if (!x_unit.text.empty()) text += fmt::format(";  {} in {}", symbol(x), x_unit.text);
   if (!y_unit.text.empty()) text += fmt::format(", {} in {}", symbol(y), y_unit.text);
-  if (fit.r2) text += fmt::format(";  r² = {:.4f}", *fit.r2);
+  if (fit.r2)
+    text += ";  r² = " + fit.r2_text();
+  else if (!fit.r2_text().empty())
+    text += ";  r² " + fit.r2_text();
   if (const auto chi2 = fit.reduced_chi2())
     text += fmt::format(";  χ²/ν = {:.2g}{}", *chi2, *chi2 > 1 ? ": lack of fit" : "");
   return text;

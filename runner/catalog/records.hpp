@@ -70,6 +70,7 @@ struct FitRow {
   std::optional<double> reduced_chi2{};
   std::int64_t points = 0;    ///< that the fit goes through
   std::string family = "{}";  ///< JSON object: column of jobs -> value of what else the study sweeps
+  std::string r2_text{};      ///< for people: "0.9987", or why it is not judged
 };
 
 /// The interval of one number of one job; a row of the view `accuracy`. Half widths, in `unit`.

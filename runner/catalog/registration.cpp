@@ -4,6 +4,7 @@
 #include "libmpm/scene/physics_version.hpp"
 #include "runner/catalog/runner_row.hpp"
 #include "runner/catalog/store_impl.hpp"
+#include "runner/study/decimal.hpp"
 
 namespace mpmstudy {
 
@@ -20,11 +21,20 @@ std::int64_t Store::Impl::add_job(const Job& job) {
   bind(job.estimate.particles);
   bind(job.estimate.steps);
   bind(job.predicted_seconds);
-  for (const auto& q : mpm::quantities())
-    bind(q.belongs_to(scene.kind) ? std::optional(q.get(scene)) : std::optional<double>());
+  nlohmann::ordered_json exact;
+  for (const auto& q : mpm::quantities()) {
+    if (!q.belongs_to(scene.kind)) {
+      bind(std::optional<double>());
+      continue;
+    }
+    const double value = q.get(scene), written = without_rounding(value);
+    bind(written);
+    if (written != value && !q.derived) exact[std::string(q.column)] = value;
+  }
   for (const auto& c : mpm::choices())
     bind(c.belongs_to(scene.kind) ? std::optional(std::string(c.allowed[c.get(scene)]))
                                   : std::optional<std::string>());
+  bind(exact.is_null() ? std::nullopt : std::optional(exact.dump()));
   insert_job.exec();
   const std::int64_t id = db->getLastInsertRowid();
   record(id, std::nullopt, JobStatus::planned, 0);

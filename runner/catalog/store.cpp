@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/catalog/store_impl.hpp"
+#include "runner/study/decimal.hpp"
 
 namespace mpmstudy {
 
@@ -116,11 +117,15 @@ void Store::replace_brackets(const std::string& study, const std::vector<Bracket
       *impl_->db,
       "INSERT INTO bracket (study_id, position, quantity, unit, lower, upper, lower_key, "
       "upper_key, cell_size_m, extrapolated, interval, flags, runs, swept, "
-      "wall_thickness_m) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "wall_thickness_m, exact_lower, exact_upper) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?)");
+  const auto plain = [](std::optional<double> end) {
+    return end ? std::optional(without_rounding(*end)) : std::nullopt;
+  };
   for (const auto& b : rows)
-    execute(insert, id, b.position, b.quantity, b.unit, b.lower, b.upper, or_null(b.lower_key),
-            or_null(b.upper_key), b.cell_size, b.extrapolated, b.interval, b.flags, b.runs, b.swept,
-            b.wall_thickness);
+    execute(insert, id, b.position, b.quantity, b.unit, plain(b.lower), plain(b.upper), or_null(b.lower_key),
+            or_null(b.upper_key), without_rounding(b.cell_size), b.extrapolated, b.interval, b.flags, b.runs,
+            b.swept, b.wall_thickness, b.lower, b.upper);
 }
 
 void Store::replace_claims(const std::vector<Claim>& claims) {

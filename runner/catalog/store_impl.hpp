@@ -24,7 +24,7 @@ inline std::string insert_job_sql() {
   std::string marks = "?, ?, ?, ?, ?, ?, ?, ?, 'planned'";
   for (const auto& q : mpm::quantities()) names += ", \"" + std::string(q.column) + "\"", marks += ", ?";
   for (const auto& c : mpm::choices()) names += ", \"" + std::string(c.column) + "\"", marks += ", ?";
-  return "INSERT INTO job (" + names + ") VALUES (" + marks + ")";
+  return "INSERT INTO job (" + names + ", exact) VALUES (" + marks + ", ?)";
 }
 
 struct Store::Impl {

@@ -13,18 +13,22 @@ namespace mpmstudy {
 namespace {
 
 /// Columns from `first` on: every row of the parameter table that is no product of others, then the choices.
-mpm::Scene scene_from(SQLite::Statement& row, int first) {
+/// Numbers that do not stand there with all their digits are in column `exact` as well.
+mpm::Scene scene_from(SQLite::Statement& row, int exact_column, int first) {
   mpm::Scene scene;
   const auto kind = mpm::scene_kind_from(row.getColumn(1).getString());
   if (!kind) throw CatalogError("catalog: '" + row.getColumn(1).getString() + "' is no kind of scene");
   scene.kind = *kind;
   scene.material.name = row.getColumn(2).getString();
   scene.measures.snapshots = nlohmann::json::parse(row.getColumn(3).getString()).get<std::vector<double>>();
+  const auto exact = row.isColumnNull(exact_column)
+                         ? nlohmann::json::object()
+                         : nlohmann::json::parse(row.getColumn(exact_column).getString());
   int i = first;
   for (const auto& q : mpm::quantities()) {
     const int column = i++;
     if (!q.derived && q.belongs_to(*kind) && !row.isColumnNull(column))
-      q.set(scene, row.getColumn(column).getDouble());
+      q.set(scene, exact.value(std::string(q.column), row.getColumn(column).getDouble()));
   }
   for (const auto& c : mpm::choices()) {
     const int column = i++;
@@ -39,7 +43,8 @@ mpm::Scene scene_from(SQLite::Statement& row, int first) {
 std::string select_sql() {
   std::string sql =
       "SELECT j.key, j.scene, j.material, j.snapshot_times, j.status, j.reason, j.failure_kind, j.attempt, "
-      "j.crashes, j.steps, j.physics_version, j.id, j.predicted_particles, j.predicted_steps, j.predicted_s";
+      "j.crashes, j.steps, j.physics_version, j.id, j.predicted_particles, j.predicted_steps, j.predicted_s, "
+      "j.exact";
   for (const auto& q : mpm::quantities()) sql += ", j.\"" + std::string(q.column) + "\"";
   for (const auto& c : mpm::choices()) sql += ", j.\"" + std::string(c.column) + "\"";
   return sql +
@@ -72,7 +77,7 @@ std::vector<StoredJob> read_jobs(const std::filesystem::path& results, const Job
     while (rows.executeStep()) {
       StoredJob stored;
       stored.job.key = rows.getColumn(0).getString();
-      stored.job.scene = scene_from(rows, 15);
+      stored.job.scene = scene_from(rows, 15, 16);
       stored.status = job_status_from(rows.getColumn(4).getString());
       stored.reason = rows.getColumn(5).getString();
       stored.failure_kind = rows.getColumn(6).getString();

@@ -11,6 +11,7 @@
 #include "analysis/units.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/query.hpp"
+#include "runner/cli/print_failures.hpp"
 #include "runner/cli/text_table.hpp"
 #include "runner/finish/fits.hpp"
 #include "runner/finish/study_results.hpp"
@@ -22,8 +23,9 @@ namespace {
 constexpr std::int64_t most_rows = 30;  ///< of a table; of more, so many from the start and from the end:
 constexpr std::int64_t first_rows = 25, last_rows = 5;
 constexpr std::size_t most_results = 3;  ///< columns of results
-constexpr std::int64_t most_failures = 10;
 constexpr int error_digits = 3;
+constexpr std::size_t first_parameter = 4;  ///< in a row of select()
+constexpr const char* mark = "*";           ///< behind what a flag is about; the line below says why
 
 /// A column of the view `jobs`, or a metric.
 struct Result {
@@ -74,10 +76,10 @@ std::optional<double> number_of(const SqlValue& value) {
   return std::nullopt;
 }
 
-/// What the table's rows are asked by: key, status, outcome, then parameters, then value and error of each
-/// result.
+/// What the table's rows are asked by: key, status, outcome, flags, then parameters, then value and error of
+/// each result.
 std::string select(const Study& study, const std::vector<Result>& results) {
-  std::string sql = "SELECT j.key, j.status, j.outcome";
+  std::string sql = "SELECT j.key, j.status, j.outcome, j.flags";
   for (const auto& name : study.swept) sql += ", j.\"" + column_of_jobs(name) + "\"";
   for (const auto& result : results) sql += ", " + result.value + ", " + result.error;
   return sql + " FROM jobs j WHERE j.study = ?1 ORDER BY j.position, j.key";
@@ -86,7 +88,7 @@ std::string select(const Study& study, const std::vector<Result>& results) {
 /// The same for people: names in place of SQL.
 std::string readable_query(const Study& study, const std::vector<Result>& results,
                            const std::filesystem::path& folder) {
-  std::string columns = "key, status, outcome";
+  std::string columns = "key, status, outcome, flags";
   for (const auto& name : study.swept) columns += ", " + column_of_jobs(name);
   for (const auto& result : results) {
     const bool of_jobs = result.value.starts_with("j.");
@@ -136,6 +138,33 @@ TextColumn errors_beside(const std::vector<std::optional<double>>& values,
   return column;
 }
 
+bool is_flagged(const std::vector<SqlValue>& row) { return !text_of(row[3]).empty(); }
+
+bool says_whether_a_cavity_is_gone(const std::string& outcome) {
+  return outcome == "collapsed" || outcome == "partial";
+}
+
+/// Blanks behind the others: digits stand under digits.
+void mark_flagged(TextColumn& column, const std::vector<std::vector<SqlValue>>& rows) {
+  if (std::ranges::none_of(rows, is_flagged)) return;
+  for (std::size_t i = 0; i < rows.size(); ++i) column.cells[i] += is_flagged(rows[i]) ? mark : " ";
+}
+
+/// Why numbers are marked: a line per reason, of all jobs of the study.
+std::string flags_text(const Study& study, const std::filesystem::path& results) {
+  const SqlValue name = study.name;
+  std::string text;
+  for (const auto& row :
+       query(results,
+             "SELECT flags, count(*) FROM jobs WHERE study = ?1 AND status = 'done' AND flags "
+             "<> '' GROUP BY flags ORDER BY min(position)",
+             std::span(&name, 1))
+           .rows)
+    text +=
+        fmt::format("  {} {}, {}\n", mark, text_of(row[0]), counted(std::get<std::int64_t>(row[1]), "job"));
+  return text.empty() ? "" : text + "    such numbers are in no figure, fit or claim\n";
+}
+
 std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<Result>& results,
                                         const StudyResults& folder,
                                         const std::vector<std::vector<SqlValue>>& rows) {
@@ -143,10 +172,13 @@ std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<Re
   for (const auto& row : rows) {
     keys.cells.push_back(short_key(text_of(row[0])));
     const std::string status = text_of(row[1]), outcome = text_of(row[2]);
-    outcomes.cells.push_back(status != "done" ? status : outcome.empty() ? "-" : outcome);
+    const bool doubtful = is_flagged(row) && says_whether_a_cavity_is_gone(outcome);
+    outcomes.cells.push_back(status != "done"  ? status
+                             : outcome.empty() ? "-"
+                                               : outcome + (doubtful ? mark : ""));
   }
   std::vector<TextColumn> columns = {std::move(keys)};
-  std::size_t at = 3;
+  std::size_t at = first_parameter;
   const auto numbers = [&](std::size_t column) {
     std::vector<std::optional<double>> values;
     for (const auto& row : rows) values.push_back(number_of(row[column]));
@@ -169,6 +201,7 @@ std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<Re
     const std::string unit = unit_of(folder, result.name);
     TextColumn column{result.name, "", {}, false};
     fill(column, values, study, "", unit);
+    if (is_of_the_final_area(result.name)) mark_flagged(column, rows);
     columns.push_back(std::move(column));
     if (std::ranges::any_of(errors, [](const auto& error) { return error.has_value(); }))
       columns.push_back(errors_beside(values, errors, unit));
@@ -189,40 +222,6 @@ std::string make_narrow(std::vector<TextColumn>& columns, std::size_t swept) {
   return gone;
 }
 
-/// The first line of the reason of each failed job.
-std::string failures_text(const Study& study, const std::filesystem::path& results) {
-  const SqlValue name = study.name;
-  const auto parameters = std::span(&name, 1);
-  const auto rows =
-      query(results,
-            fmt::format("SELECT key, coalesce(failure_kind, 'error'), coalesce(reason, '') FROM "
-                        "jobs WHERE study = ?1 AND status = 'failed' ORDER BY position, key "
-                        "LIMIT {}",
-                        most_failures),
-            parameters)
-          .rows;
-  if (rows.empty()) return "";
-  std::string text;
-  for (const auto& row : rows)
-    text += cut_text(fmt::format("  failed  {}  {}: {}", short_key(text_of(row[0])), text_of(row[1]),
-                                 first_line(text_of(row[2]))),
-                     line_columns) +
-            "\n";
-  const auto all = std::get<std::int64_t>(
-      query(results, "SELECT count(*) FROM jobs WHERE study = ?1 AND status = 'failed'", parameters)
-          .rows.at(0)
-          .at(0));
-  if (all > most_failures)
-    text += fmt::format(
-        "  ... {} more failed; all: mpmstudy query{} \"SELECT key, reason FROM jobs WHERE "
-        "study = '{}' AND status = 'failed'\"\n",
-        all - most_failures, results_option(results), study.name);
-  return text + fmt::format(
-                    "  `mpmstudy explain{} KEY` has the whole reason; `mpmstudy run --retry-failed` "
-                    "runs failed jobs again\n",
-                    results_option(results));
-}
-
 double largest_of(const std::vector<double>& numbers) {
   double largest = 0;
   for (const double number : numbers) largest = std::max(largest, std::abs(number));
@@ -230,10 +229,6 @@ double largest_of(const std::vector<double>& numbers) {
 }
 
 }  // namespace
-
-std::string results_option(const std::filesystem::path& results) {
-  return results == "results" ? "" : " --results '" + results.string() + "'";
-}
 
 std::string results_text(const Study& study, const std::filesystem::path& results) {
   const StudyResults folder{study.name, results, {}, 0, {}};
@@ -264,6 +259,11 @@ std::string results_text(const Study& study, const std::filesystem::path& result
   if (!gone.empty()) text += cut_text("  not shown: " + gone, line_columns) + "\n";
   if (count > most_rows || !gone.empty())
     text += "  all: " + readable_query(study, of_interest, results) + "\n";
+  // Of an outcome that flags say nothing of, such as "ejected", and results of another kind nothing is
+  // marked.
+  if (table.find(mark) != std::string::npos ||
+      std::ranges::any_of(of_interest, [](const auto& one) { return is_of_the_final_area(one.name); }))
+    text += flags_text(study, results);
   return text + failures_text(study, results) + fits_text(study, results);
 }
 

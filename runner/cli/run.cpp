@@ -28,6 +28,7 @@
 #include "runner/cli/ask.hpp"
 #include "runner/cli/job_labels.hpp"
 #include "runner/cli/last_run.hpp"
+#include "runner/cli/print_failures.hpp"
 #include "runner/cli/print_results.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/cli/run_slurm.hpp"
@@ -134,7 +135,7 @@ void print_studies(const std::vector<Study>& studies, const std::map<std::string
     if (const auto search = searches.find(study.name); search != searches.end()) {
       fmt::print("\n{}: {}\n", study.name, study.title);
       print_search(study, search->second);
-      fmt::print("{}", fits_text(study, results));
+      fmt::print("{}{}", failures_text(study, results), fits_text(study, results));
     } else if (!quiet) {
       fmt::print("{}", results_text(study, results));
     }

@@ -13,6 +13,7 @@
 #include "runner/catalog/timestamp.hpp"
 #include "runner/cli/amounts.hpp"
 #include "runner/cli/merge.hpp"
+#include "runner/cli/print_failures.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/ladder/climbs.hpp"
@@ -341,6 +342,7 @@ int search_on_slurm(const RunOptions& options, const Study& study, const SearchO
   const SearchReport report = run_search(study, search, writer, options.results, submit_round);
   if (report.run.left() > 0) return code;
   print_search(study, report);
+  fmt::print("{}", failures_text(study, options.results));
   if (seams.finish_study) seams.finish_study(study, options.results, writer);
   return tended == exit_failed ? std::max(exit_failed, report.exit_code()) : report.exit_code();
 }

@@ -9,6 +9,7 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/search/extrapolate.hpp"
+#include "runner/study/decimal.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -53,7 +54,7 @@ std::string swept_values(const Study& study, const mpm::Scene& scene) {
   for (const std::string& name : study.swept) {
     if (name == "cell_size") continue;  // has a column of its own
     if (const mpm::Quantity* q = mpm::find_quantity(name))
-      values[std::string(q->column)] = q->get(scene);
+      values[std::string(q->column)] = without_rounding(q->get(scene));
     else if (const mpm::Choice* c = mpm::find_choice(name))
       values[std::string(c->column)] = c->allowed[c->get(scene)];
   }

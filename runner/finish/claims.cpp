@@ -17,6 +17,9 @@ Claim claim(std::string name, std::string sentence, std::string study) {
   return {std::move(name), std::move(sentence), std::move(study), "", not_run, ""};
 }
 
+/// Of a fit without a point to spare.
+constexpr const char* says_nothing = "such a curve goes through any points, and says nothing of their course";
+
 /// "0.965 ± 0.012"; the value alone where no interval is known.
 std::string with_interval(const Measured& number, int decimals) {
   if (!number.error) return fmt::format("{:.{}f}", number.value, decimals);
@@ -120,7 +123,7 @@ std::string critical_speed_at_3_um(const Evidence& e, const std::string& study, 
   const std::string where =
       "FROM critical_speed c JOIN jobs j ON j.key = c.upper_key AND j.study = c.study WHERE c.study = ?1 AND "
       "abs(c.wall_thickness_m - 3e-6) < 1e-9 AND c.extrapolated_m_s IS NOT NULL AND " +
-      spall;
+      undoubted_sql("c.flags") + " AND " + spall;
   const auto u = e.number(study, "SELECT c.extrapolated_m_s " + where);
   const auto interval = e.number(study, "SELECT c.interval_m_s " + where);
   return u && interval ? fmt::format("{:.0f} ± {:.0f} m/s", *u, *interval) : "not run";
@@ -205,7 +208,8 @@ Claim coalescence(const Evidence& e) {
 std::vector<Measured> extrapolated_speeds(const Evidence& e, const std::string& study) {
   return e.with_errors(study,
                        "SELECT extrapolated_m_s, interval_m_s FROM critical_speed WHERE study = ?1 AND "
-                       "extrapolated_m_s IS NOT NULL ORDER BY wall_thickness_m");
+                       "extrapolated_m_s IS NOT NULL AND " +
+                           undoubted_sql() + " ORDER BY wall_thickness_m");
 }
 
 Claim parabola(const Evidence& e) {
@@ -220,9 +224,14 @@ Claim parabola(const Evidence& e) {
   const auto finest = e.numbers(
       c.study,
       "SELECT 0.5 * (lower_m_s + upper_m_s) FROM critical_speed WHERE study = ?1 AND extrapolated_m_s "
-      "IS NOT NULL ORDER BY wall_thickness_m");
+      "IS NOT NULL AND " +
+          undoubted_sql() + " ORDER BY wall_thickness_m");
   const auto speeds = extrapolated_speeds(e, c.study);
-  if (!r2 || !c2 || speeds.empty()) return c;
+  if (!c2 || speeds.empty()) return c;
+  if (!r2) {
+    judge(c, Truth::open, "a parabola through as many points as it has coefficients", says_nothing);
+    return c;
+  }
   double widest = 0;
   for (const Measured& u : speeds) widest = std::max(widest, u.error.value_or(0));
   const bool seen = *r2 > 0.95 && std::ranges::is_sorted(finest) && *c2 > error.value_or(0);
@@ -342,6 +351,10 @@ Claim falls_with_yield(const Evidence& e) {
       e.number(c.study, "SELECT r2 FROM fits WHERE study = ?1 AND quantity = 'collapsibility' LIMIT 1");
   const auto chi2 = e.number(
       c.study, "SELECT reduced_chi2 FROM fits WHERE study = ?1 AND quantity = 'collapsibility' LIMIT 1");
+  const auto fitted =
+      e.number(c.study, "SELECT value FROM fits WHERE study = ?1 AND quantity = 'collapsibility' LIMIT 1");
+  if (fitted && !r2)
+    judge(c, Truth::open, "a parabola through as many points as it has coefficients", says_nothing);
   if (phi.size() > 1 && r2) {
     const Truth parabola = *r2 > 0.99 ? Truth::yes : chi2 && *chi2 <= 1 ? Truth::open : Truth::no;
     judge(
@@ -383,7 +396,8 @@ Claim critical_values(const Evidence& e) {
   const auto of_points = [&](const std::string& what) {
     return e.numbers(c.study, "SELECT " + what +
                                   " FROM critical_speed WHERE study = ?1 AND extrapolated_m_s "
-                                  "IS NOT NULL ORDER BY wall_thickness_m");
+                                  "IS NOT NULL AND " +
+                                  undoubted_sql() + " ORDER BY wall_thickness_m");
   };
   const auto d = of_points("1e6 * wall_thickness_m"), u = of_points("extrapolated_m_s"),
              interval = of_points("interval_m_s"), found = of_points("0.5 * (lower_m_s + upper_m_s)");
@@ -422,6 +436,14 @@ std::vector<Claim> judge_claims(const std::filesystem::path& results, const std:
     const StudyStanding& own = e.standing(c.study);
     if (own.standing == Standing::undecided) c.verdict = "not decided";
     c.measured = own.why;
+    if (const auto flags =
+            e.text(c.study,
+                   "SELECT flags FROM jobs WHERE study = ?1 AND status = 'done' AND flags <> '' "
+                   "ORDER BY position LIMIT 1");
+        flags && own.standing == Standing::whole) {
+      c.verdict = "not decided";
+      c.measured = *flags;
+    }
     // The jet is held against the shock of another study.
     if (c.name == "jet-overtakes-shock" && own.standing == Standing::whole)
       c.measured = "planar-impact: " + e.standing("planar-impact").why;

@@ -196,6 +196,8 @@ std::vector<std::string> figure_notes(const Study& study, const StudyResults& re
   std::vector<std::string> notes;
   for (const std::string& line : left_out(study, results))
     notes.push_back("left out of figures and fits: " + line);
+  for (const std::string& line : flagged_brackets(study, results))
+    notes.push_back("drawn and fitted, since the runs at both ends have their outcomes: " + line);
   for (const FigureRequest& request : study.figures)
     if (const auto missing = analysis::characters_without_font(request.title); !missing.empty())
       notes.push_back(

@@ -53,6 +53,9 @@ void finish_study(const Study& study, const std::filesystem::path& folder, Catal
   writer.replace_fits(study.name, std::move(fits.rows));
   for (const auto& path : draw_figures(study, results)) fmt::print("{}\n", path.string());
   if (study.ladder.accuracy) check_accuracy(study, folder);
+  if (!fits.problems.empty())
+    throw std::runtime_error(fmt::format("{} could not be made, for the reasons above",
+                                         counted(static_cast<std::int64_t>(fits.problems.size()), "fit")));
 }
 
 }  // namespace mpmstudy

@@ -79,6 +79,7 @@ Fits fit_study(const Study& study, const StudyResults& results) {
         row.reduced_chi2 = fit.reduced_chi2();
         row.points = fit.points;
         row.family = group.family;
+        row.r2_text = fit.r2_text();
         fits.rows.push_back(std::move(row));
       }
       if (const auto chi2 = fit.reduced_chi2(); chi2 && *chi2 > 1)

@@ -176,7 +176,7 @@ analysis::PageTable fits_of(const Study& study, const StudyResults& results) {
                             {}};
   for (const FitRow& fit : fit_study(study, results).rows)
     table.rows.push_back({fit.quantity, fit.against, fit.model, fit.coefficient, shown_number(fit.value),
-                          shown_number(fit.standard_error), shown_number(fit.r2),
+                          shown_number(fit.standard_error), fit.r2 ? shown_number(fit.r2) : fit.r2_text,
                           shown_number(fit.reduced_chi2), fit.unit});
   return table;
 }

@@ -15,6 +15,7 @@
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/critical_names.hpp"
+#include "runner/study/decimal.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -39,12 +40,8 @@ Rows ask(const StudyResults& results, const std::string& sql, const SqlValue& pa
   return query(results.folder, sql, std::span(&parameter, 1));
 }
 
-/// Results that mean nothing once the cavity is no closed hole (view `jobs`, column `flags`).
+/// Of the final area.
 constexpr const char* of_the_final_area[] = {"collapsibility", "final_area_m2", "final_void_area_m2"};
-
-bool is_of_the_final_area(const std::string& name) {
-  return std::ranges::any_of(of_the_final_area, [&](const char* one) { return name == one; });
-}
 
 bool differs_by_rounding(double a, double b) {
   constexpr double rounding = 1e-12;  // values of a study are written with twelve digits at most
@@ -80,7 +77,7 @@ SweptValues swept_values(const std::string& name, const std::vector<JobResults>&
     swept.which.push_back(static_cast<std::size_t>(same - distinct.begin()));
     if (same == distinct.end()) distinct.push_back(value);
     values.push_back(distinct[swept.which.back()]);
-    swept.json.push_back(values.back());
+    swept.json.push_back(without_rounding(values.back()));
   }
   swept.labels = analysis::value_labels(analysis::named_quantity(name, q->unit), values);
   return swept;
@@ -110,8 +107,10 @@ StudyResults read_brackets(const Study& study, const std::filesystem::path& fold
   const SqlValue parameters[] = {study.name, study.search->critical};
   const Rows rows =
       query(folder,
-            "SELECT position, lower, upper, lower_key, upper_key, extrapolated, interval, flags "
-            "FROM brackets WHERE study = ?1 AND quantity = ?2 ORDER BY position",
+            // The table, not the view: keys are made of all the digits of a bracket's ends.
+            "SELECT position, exact_lower, exact_upper, lower_key, upper_key, extrapolated, interval, flags "
+            "FROM bracket WHERE study_id = (SELECT id FROM study WHERE name = ?1) AND quantity = ?2 "
+            "ORDER BY position",
             parameters);
   for (const auto& row : rows.rows) {
     const auto position = static_cast<std::size_t>(std::get<std::int64_t>(row[0]));
@@ -125,7 +124,8 @@ StudyResults read_brackets(const Study& study, const std::filesystem::path& fold
     drawn +=
         fmt::format("{} {} {:a} {:a} ", text(row[4]), text(row[7]), lower.value_or(0), upper.value_or(0));
     if (!lower || !upper) continue;  // looked for and not found
-    JobResults job{text(row[4]), scene, Measured{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)}, {}};
+    JobResults job{
+        text(row[4]), scene, Measured{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)}, {}, text(row[7])};
     if (const auto value = number(row[5])) job.extrapolated = Measured{*value, number(row[6])};
     results.done.push_back(std::move(job));
   }
@@ -133,7 +133,58 @@ StudyResults read_brackets(const Study& study, const std::filesystem::path& fold
   return results;
 }
 
+/// Why the final area of a job has no meaning in this study, whose cells give it its interval; "": it has
+/// one.
+std::string flags_of(const StudyResults& results, const JobResults& job) {
+  const SqlValue parameters[] = {job.key, results.study};
+  const Rows rows =
+      query(results.folder, "SELECT flags FROM jobs WHERE key = ?1 AND study = ?2 LIMIT 1", parameters);
+  return rows.rows.empty() ? "" : text(rows.rows[0][0]);
+}
+
+/// What the fits and figures of a study are made of.
+std::set<std::string> results_asked_for(const Study& study) {
+  std::set<std::string> asked;
+  for (const FitRequest& fit : study.fits) asked.insert(fit.y);
+  for (const FigureRequest& figure : study.figures) asked.insert(figure.y);
+  return asked;
+}
+
+/// What the flags of a bracket say where it is doubtful (search/bracket.cpp).
+constexpr const char* doubts[] = {"flips back at", "lower end undecided"};
+
+/// Brackets that fits and figures are made of and that have flags, a line each.
+std::vector<std::string> lines_of_brackets(const Study& study, const StudyResults& results, bool doubtful) {
+  std::vector<std::string> lines;
+  if (std::ranges::none_of(results_asked_for(study),
+                           [](const std::string& name) { return critical_result(name).has_value(); }))
+    return lines;
+  for (const JobResults& bracket : results.done) {
+    if (bracket.flags.empty() || is_doubtful(bracket.flags) != doubtful) continue;
+    const std::string point = label_of(bracket.scene, study.swept);
+    lines.push_back(fmt::format("{} of the bracket{}{}: {}", results.critical->name,
+                                point.empty() ? "" : " at ", point, bracket.flags));
+  }
+  return lines;
+}
+
 }  // namespace
+
+bool is_of_the_final_area(const std::string& name) {
+  return std::ranges::any_of(of_the_final_area, [&](const char* one) { return name == one; });
+}
+
+bool is_doubtful(const std::string& flags) {
+  return std::ranges::any_of(doubts,
+                             [&](const char* doubt) { return flags.find(doubt) != std::string::npos; });
+}
+
+std::string undoubted_sql(const std::string& column) {
+  std::string sql;
+  for (const char* doubt : doubts)
+    sql += fmt::format("{}instr({}, '{}') = 0", sql.empty() ? "" : " AND ", column, doubt);
+  return sql;
+}
 
 StudyResults read_results(const Study& study, const std::filesystem::path& folder) {
   if (study.search) return read_brackets(study, folder);
@@ -160,7 +211,7 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
       ++results.missing;
       continue;
     }
-    results.done.push_back({key, ladder.scenes[rung], {}, {}});
+    results.done.push_back({key, ladder.scenes[rung], {}, {}, {}});
     drawn += key;
   }
   for (const auto& row : rows.rows)
@@ -172,12 +223,11 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
 
 std::optional<Measured> result_of(const StudyResults& results, const JobResults& job,
                                   const std::string& name) {
-  if (const auto critical = critical_result(name))
+  if (const auto critical = critical_result(name)) {
+    if (is_doubtful(job.flags)) return std::nullopt;
     return critical == CriticalResult::bracket ? job.critical : job.extrapolated;
-  if (is_of_the_final_area(name))
-    for (const auto& row : ask(results, "SELECT flags FROM jobs WHERE key = ?1 LIMIT 1", job.key).rows)
-      if (const auto* flags = std::get_if<std::string>(&row[0]); flags && !flags->empty())
-        return std::nullopt;
+  }
+  if (is_of_the_final_area(name) && !flags_of(results, job).empty()) return std::nullopt;
   Rows rows;
   if (is_job_column(name)) {
     std::string error = "NULL";
@@ -248,18 +298,19 @@ std::vector<Group> group_jobs(const Study& study, const StudyResults& results,
 }
 
 std::vector<std::string> left_out(const Study& study, const StudyResults& results) {
-  std::set<std::string> asked;
-  for (const FitRequest& fit : study.fits) asked.insert(fit.y);
-  for (const FigureRequest& figure : study.figures) asked.insert(figure.y);
-  std::vector<std::string> lines;
+  const std::set<std::string> asked = results_asked_for(study);
+  std::vector<std::string> lines = lines_of_brackets(study, results, true);
   for (const char* name : of_the_final_area) {
     if (!asked.contains(name)) continue;
     for (const JobResults& job : results.done)
-      for (const auto& row : ask(results, "SELECT flags FROM jobs WHERE key = ?1 LIMIT 1", job.key).rows)
-        if (const auto* flags = std::get_if<std::string>(&row[0]); flags && !flags->empty())
-          lines.push_back(fmt::format("{} of job {}: {}", name, short_key(job.key), *flags));
+      if (const std::string flags = flags_of(results, job); !flags.empty())
+        lines.push_back(fmt::format("{} of job {}: {}", name, short_key(job.key), flags));
   }
   return lines;
+}
+
+std::vector<std::string> flagged_brackets(const Study& study, const StudyResults& results) {
+  return lines_of_brackets(study, results, false);
 }
 
 std::vector<std::string> curve_of(const Study& study, const std::string& x, const std::string& y) {

@@ -24,6 +24,7 @@ struct JobResults {
   std::optional<Measured>
       critical;  ///< of a search: middle and half width of the bracket; key: its upper end
   std::optional<Measured> extrapolated;  ///< ... for cells of size 0
+  std::string flags;                     ///< ... of the bracket (view `brackets`)
 };
 
 /// The done jobs of a study, in the order of its sweep, each once, and how many are not done; of a study with
@@ -40,10 +41,24 @@ struct StudyResults {
 /// Throws CatalogError if there is no catalog.
 StudyResults read_results(const Study&, const std::filesystem::path& results);
 
+/// Whether a result means nothing once the cavity is no closed hole: what the column `flags` of the view
+/// `jobs` is about.
+bool is_of_the_final_area(const std::string& name);
+
 /// A number that has no meaning in its job (view `jobs`, column `flags`) is left out of figures and fits: a
-/// line each, "collapsibility of job 1a2b3c4d5e6f: cavity open to the outside ...". Of the results that the
-/// study's figures and fits ask for.
+/// line each, "collapsibility of job 1a2b3c4d5e6f: cavity open to the outside ...". So is a bracket that is
+/// doubtful. Of the results that the study's figures and fits ask for.
 std::vector<std::string> left_out(const Study&, const StudyResults&);
+
+/// Whether the flags of a bracket leave open where the critical value is: the outcome flips back at a larger
+/// value, or the run at the lower end had not decided. One that says "failed at ..." is proven by the runs at
+/// its ends all the same.
+bool is_doubtful(const std::string& flags_of_bracket);
+/// The same over the view `brackets` or `critical_speed`: SQL that holds where a bracket is not doubtful.
+std::string undoubted_sql(const std::string& column = "flags");
+/// Brackets that are drawn and fitted although they have flags, a line each: "impact_speed of the bracket at
+/// cell_size = 0.1 um: failed at 900 m/s".
+std::vector<std::string> flagged_brackets(const Study&, const StudyResults&);
 
 /// A result column of the view `jobs`, a name of the view `metrics`, or one of a search
 /// (runner/study/critical_names.hpp); empty where the job has none, or one without a meaning.

@@ -136,7 +136,7 @@ std::vector<int> BracketSearch::next(int most) const {
   return {std::max(0, at - (guess_->step + 1) / 2), std::min(intervals_, at + (guess_->step + 1) / 2)};
 }
 
-std::string BracketSearch::flags(const Lattice& lattice) const {
+std::string BracketSearch::flags(const Lattice& lattice, std::string_view unit) const {
   const auto found = bracket();
   std::string text;
   const auto add = [&text](const std::string& flag) { text += (text.empty() ? "" : "; ") + flag; };
@@ -150,7 +150,8 @@ std::string BracketSearch::flags(const Lattice& lattice) const {
   }
   for (const auto& [index, told] : told_) {
     const Verdict verdict = told.verdict;
-    const auto value = fmt::format("{:.6g}", lattice.value(index));
+    const auto value =
+        fmt::format("{:.6g}{}{}", lattice.value(index), unit == "1" ? "" : " ", unit == "1" ? "" : unit);
     if (verdict == Verdict::broken) add("failed at " + value);
     if (found && index > found->upper && verdict != Verdict::above && verdict != Verdict::broken)
       add("flips back at " + value);

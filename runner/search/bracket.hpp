@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mpmstudy {
@@ -56,9 +57,9 @@ class BracketSearch {
   /// Smallest value above and the largest below it; empty until both are known.
   std::optional<Bracket> bracket() const;
   bool finished() const { return next(1).empty(); }
-  /// What a reader of the bracket has to know: "flips back: 410", "lower end undecided", "no upper end"; ""
-  /// if nothing. Values are those of the lattice.
-  std::string flags(const Lattice&) const;
+  /// What a reader of the bracket has to know: "flips back at 410 m/s", "lower end undecided", "no
+  /// upper end"; "" if nothing. Values are those of the lattice, in its unit.
+  std::string flags(const Lattice&, std::string_view unit) const;
 
   struct Told {
     Verdict verdict = Verdict::broken;

@@ -196,7 +196,8 @@ std::vector<FoundBracket> Search::brackets() const {
   for (const Entry& e : entries_) {
     FoundBracket found{e.point, {}, {}, {}, {}, "not searched", static_cast<int>(e.runs.size())};
     if (e.search) {
-      found.flags = e.between ? e.between->flags(half_) : e.search->flags(lattice_);
+      found.flags =
+          e.between ? e.between->flags(half_, critical_->unit) : e.search->flags(lattice_, critical_->unit);
       if (const auto bracket = e.bracket()) {
         for (const auto& [index, key] : e.runs) {
           if (index == bracket->lower) found.lower_key = key;

@@ -39,4 +39,10 @@ double round_to_12_digits(double value) {
   return rounded;
 }
 
+double without_rounding(double value) {
+  constexpr double rounding = 1e-13;  // of a difference of lengths that are up to a thousand times as large
+  const double rounded = round_to_12_digits(value);
+  return std::abs(rounded - value) <= rounding * std::abs(value) ? rounded : value;
+}
+
 }  // namespace mpmstudy

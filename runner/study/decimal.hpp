@@ -18,4 +18,9 @@ std::string shortest_text(double value);
 /// readable (0.3, not 0.30000000000000004) and independent of the mathematics library of the machine.
 double round_to_12_digits(double value);
 
+/// `value` without the last digits that computing it has left: 4e-06 for 4.000000000000001e-06, 1.3e-06 for
+/// 1.2999999999999998e-06. What is no number of twelve digits but for rounding stays as it is. For
+/// columns of the catalog and for people, never for what keys are made of.
+double without_rounding(double value);
+
 }  // namespace mpmstudy

@@ -115,12 +115,15 @@ TEST(Fit, AsManyPointsAsCoefficientsIsACurveWithoutErrors) {
   EXPECT_TRUE(fit.standard_errors.empty());
   EXPECT_FALSE(fit.band(2));
   EXPECT_FALSE(fit.residual_standard_deviation);
+  EXPECT_FALSE(fit.r2);
+  EXPECT_EQ(fit.r2_text(), "not judged (3 points, 3 coefficients)");
 }
 
 TEST(Fit, KnownErrorsServeWhereNoPointIsLeftOver) {
   const Numbers x = {0, 1}, y = {0, 1}, error = {3, 4};
   const Fit fit = fit_polynomial(FitModel::linear, x, y, error);
   EXPECT_NEAR(fit.standard_errors[1], 5, 1e-13);
+  EXPECT_FALSE(fit.r2);
 }
 
 TEST(Fit, ConstantDataHaveNoR2) {
@@ -128,6 +131,7 @@ TEST(Fit, ConstantDataHaveNoR2) {
   const Fit fit = fit_polynomial(FitModel::linear, x, y);
   ASSERT_TRUE(fit.ok());
   EXPECT_FALSE(fit.r2);
+  EXPECT_EQ(fit.r2_text(), "");
 }
 
 TEST(Fit, SaysWhyThereIsNone) {

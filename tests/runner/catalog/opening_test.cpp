@@ -16,6 +16,7 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/file_system.hpp"
 #include "runner/catalog/reader.hpp"
+#include "runner/catalog/stored_jobs.hpp"
 #include "tests/runner/fakes.hpp"
 
 namespace mpmstudy {
@@ -173,7 +174,7 @@ TEST_F(Opening, brackets_of_an_older_layout_are_of_the_quantity_that_their_jobs_
   EXPECT_EQ(
       one("SELECT quantity || ' ' || unit || ' ' || lower || ' ' || upper || ' ' || swept || ' ' || flags "
           "FROM brackets WHERE study = 'firm' AND position = 0"),
-      "yield_stress Pa 100000000.0 200000000.0 {} failed at 3e+08");
+      "yield_stress Pa 100000000.0 200000000.0 {} failed at 3e+08 Pa");
   EXPECT_EQ(one("SELECT quantity FROM brackets WHERE position = 1"), "impact_speed") << "as it was filed";
   EXPECT_EQ(one("SELECT group_concat(lower_m_s) FROM critical_speed"), "200.0,300.0");
   EXPECT_EQ(one("SELECT wall_thickness_m || ' ' || extrapolated_m_s || ' ' || interval_m_s FROM "
@@ -208,6 +209,54 @@ TEST_F(Opening, walls_of_an_older_layout_get_the_thickness_that_was_written) {
   EXPECT_EQ(integer(*db, "SELECT count(*) FROM jobs WHERE wall_thickness_m = 1e-6"), 1);
   EXPECT_EQ(integer(*db, "SELECT count(*) FROM critical_speed WHERE wall_thickness_m = 1e-6"), 1);
   EXPECT_EQ(integer(*db, "SELECT count(*) FROM brackets WHERE swept ->> 'wall_thickness_m' = 1e-6"), 1);
+}
+
+// Up to version 7 the views showed the last digits of what a number was computed from, flags of brackets had
+// no unit, and a curve through as many points as coefficients had an r2.
+TEST_F(Opening, numbers_of_an_older_layout_are_shown_as_they_were_written) {
+  auto older = current_catalog_schema();
+  older.migrations.resize(7);
+  make_tables(results, older);
+  {
+    SQLite::Database db(path.string(), SQLite::OPEN_READWRITE);
+    for (const char* column : {"cavity_center_height_m", "cavity_radius_m", "yield_stress_Pa"})
+      db.exec("ALTER TABLE job ADD COLUMN " + std::string(column) +
+              " REAL; INSERT INTO parameter_column (name) VALUES ('" + column + "')");
+    db.exec(
+        "INSERT INTO job (key, scene, material, snapshot_times, physics_version, predicted_particles, "
+        "predicted_steps, status, cavity_center_height_m, cavity_radius_m, yield_stress_Pa) VALUES ('a', "
+        "'cavity-impact', 'aluminium', '[]', 1, 1, 1, 'done', 4.000000000000001e-06, 1.2999999999999998e-06, "
+        "9e999), ('b', 'cavity-impact', 'aluminium', '[]', 1, 1, 1, 'done', 1.23456789012345e-06, 0, NULL);"
+        "INSERT INTO study (id, name, title, updated_at) VALUES (1, 's', '', '');"
+        "INSERT INTO bracket (study_id, position, quantity, unit, lower, upper, lower_key, upper_key, "
+        "cell_size_m, flags, swept) VALUES (1, 0, 'cavity_radius', 'm', 1.2999999999999998e-06, 1.4e-06, "
+        "'k', "
+        "'k', 7e-08, 'lower end undecided; failed at 1.5e-06; flips back at 1.6e-06', "
+        "'{\"cavity_center_height_m\":4.000000000000001e-06,\"scheme\":\"gimp\"}');"
+        "INSERT INTO fit (study_id, position, quantity, against, model, coefficient, value, r2, unit, "
+        "points) "
+        "VALUES (1, 0, 'a', 'x', 'linear', 'c0', 1, 1, '1', 2), (1, 1, 'a', 'x', 'linear', 'c1', 1, 1, '1', "
+        "2),"
+        "(1, 2, 'b', 'x', 'linear', 'c0', 1, 0.9, '1', 3), (1, 3, 'b', 'x', 'linear', 'c1', 1, 0.9, '1', 3)");
+  }
+  const auto db = open_for_writing(results);
+  const auto one = [&](const std::string& sql) { return db->execAndGet(sql).getString(); };
+  EXPECT_EQ(one("SELECT key FROM jobs WHERE cavity_center_height_m = 4e-6 AND cavity_radius_m = 1.3e-6"),
+            "a");
+  EXPECT_EQ(one("SELECT key FROM jobs WHERE cavity_radius_m = '1.3e-6'"), "a") << "a text is a number to it";
+  EXPECT_EQ(one("SELECT key FROM jobs WHERE yield_stress_Pa = 9e999"), "a");
+  EXPECT_EQ(one("SELECT key FROM jobs WHERE cavity_center_height_m = 1.23456789012345e-06"), "b");
+  EXPECT_EQ(one("SELECT typeof(yield_stress_Pa) FROM jobs WHERE cavity_radius_m = 0"), "null");
+  const auto stored = read_jobs(results, {"a", ""});
+  ASSERT_EQ(stored.size(), 1u);
+  EXPECT_EQ(stored[0].job.scene.cavity_radius, 1.2999999999999998e-06) << "keys are made of all digits";
+  EXPECT_EQ(stored[0].job.scene.cavity_center_height, 4.000000000000001e-06);
+  EXPECT_EQ(integer(*db, "SELECT count(*) FROM bracket WHERE exact_lower = 1.2999999999999998e-06"), 1);
+  EXPECT_EQ(integer(*db, "SELECT count(*) FROM brackets WHERE lower = 1.3e-6 AND cell_size_m = 7e-8"), 1);
+  EXPECT_EQ(one("SELECT flags FROM brackets"),
+            "lower end undecided; failed at 1.5e-06 m; flips back at 1.6e-06 m");
+  EXPECT_EQ(one("SELECT swept FROM brackets"), R"({"cavity_center_height_m":4e-06,"scheme":"gimp"})");
+  EXPECT_EQ(one("SELECT group_concat(coalesce(r2, 'none')) FROM fits"), "none,none,0.9,0.9");
 }
 
 TEST_F(Opening, a_migration_that_fails_changes_nothing) {

@@ -58,6 +58,7 @@ class ResultsText : public testing::Test {
     auto result = fakes::simulate(s, o);
     result.collapsibility = 0.1 + 1e5 * s.cavity_radius;
     result.collapsibility_error = 0.0123456;
+    result.outcome = "partial";
     return result;
   };
   bool quiet = false;
@@ -72,14 +73,67 @@ TEST_F(ResultsText, a_row_has_what_is_swept_the_result_its_interval_and_the_outc
     EXPECT_EQ(run(), 0) << when;
     EXPECT_THAT(table(), ContainsRegex("  job +cavity_radius +collapsibility +\\+- +outcome\n +nm\n"))
         << when;
-    EXPECT_THAT(table(), ContainsRegex("  [0-9a-f]{12} +1000 +0.2 +0.0123 +collapsed\n")) << when;
-    EXPECT_THAT(table(), ContainsRegex("  [0-9a-f]{12} +1500 +0.25 +0.0123 +collapsed\n")) << when;
+    EXPECT_THAT(table(), ContainsRegex("  [0-9a-f]{12} +1000 +0.2 +0.0123 +partial\n")) << when;
+    EXPECT_THAT(table(), ContainsRegex("  [0-9a-f]{12} +1500 +0.25 +0.0123 +partial\n")) << when;
     EXPECT_THAT(table(), HasSubstr("  linear of collapsibility against cavity_radius: Φ = ")) << when;
     EXPECT_THAT(table(), HasSubstr("R in µm")) << when;
   }
   quiet = true;
   EXPECT_EQ(run(), 0);
   EXPECT_EQ(table(), "");
+}
+
+TEST_F(ResultsText, numbers_with_a_flag_are_marked_and_a_line_says_why) {
+  write("[\"1 um\", \"1.5 um\", \"2 um\"]", fit);
+  simulate = [good = simulate](const mpm::Scene& s, mpm::Observer& o) {
+    auto result = good(s, o);
+    if (s.cavity_radius > 1.6e-6) result.collapsibility_error = 5.9;
+    return result;
+  };
+  EXPECT_EQ(run(), 0);
+  EXPECT_THAT(table(), ContainsRegex("  [0-9a-f]{12} +1\\.5 +0\\.25  +0\\.0123 +partial\n"));
+  EXPECT_THAT(table(), ContainsRegex("  [0-9a-f]{12} +2 +0\\.3\\* +5\\.9 +partial\\*\n"));
+  EXPECT_THAT(table(),
+              HasSubstr("  * interval as wide as what a collapsibility can be (0 to 1): the final area "
+                        "has no meaning, 1 job\n"));
+  EXPECT_THAT(table(), HasSubstr("r² not judged (2 points, 2 coefficients)"));
+}
+
+TEST_F(ResultsText, a_fit_that_cannot_be_made_is_told_by_the_exit_code) {
+  write("[\"1 um\", \"2 um\"]",
+        "[[fit]]\nx = \"cavity_radius\"\ny = \"collapsibility\"\nmodel = \"quadratic\"\n");
+  for (const char* when : {"the first time", "with nothing to do"}) {
+    EXPECT_EQ(run(), exit_failed) << when;
+    EXPECT_THAT(table(), HasSubstr("quadratic of collapsibility against cavity_radius: no fit, ")) << when;
+  }
+}
+
+TEST_F(ResultsText, a_search_says_why_runs_failed) {
+  std::ofstream(folder.path() / "t.toml")
+      << "schema = 1\nname = \"t\"\ntitle = \"A test\"\nscene = \"cavity-impact\"\n[parameters]\n"
+         "material = \"aluminium\"\nblock_width = \"10 um\"\nblock_height = \"11 um\"\n"
+         "cavity_radius = \"1.5 um\"\nwall_thickness = [\"1 um\", \"2 um\"]\nend_time = \"16 ns\"\n"
+         "[numerics]\ncell_size = \"0.4 um\"\n[search]\ncritical = \"impact_speed\"\n"
+         "outcome = \"ejected\"\nbetween = [\"200 m/s\", \"1000 m/s\"]\ntolerance = \"100 m/s\"\n";
+  simulate = [](const mpm::Scene& s, mpm::Observer& o) -> mpm::RunResult {
+    if (s.impact_speed > 650)
+      throw std::runtime_error("J < 0 in step 3, " + std::string(200, 'x') + "\nand more");
+    auto result = fakes::simulate(s, o);
+    result.outcome = s.impact_speed > 350 ? "ejected" : "arrested";
+    return result;
+  };
+  for (const char* when : {"the first time", "with nothing to do"}) {
+    EXPECT_EQ(run(), exit_failed) << when;
+    EXPECT_THAT(table(), ContainsRegex("; failed at [0-9]+ m/s")) << when;
+    EXPECT_THAT(table(),
+                ContainsRegex("  failed  [0-9a-f]{12}  error: J < 0 in step 3, x+\\.\\.\\.  impact_speed = "
+                              "[0-9]+ m/s, wall_thickness = [12] um\n"))
+        << when;
+  }
+  for (const auto& line : lines())
+    if (!line.starts_with("  `mpmstudy")) {
+      EXPECT_LE(columns_of(line), line_columns) << line;
+    }
 }
 
 TEST_F(ResultsText, values_that_round_alike_stay_apart) {

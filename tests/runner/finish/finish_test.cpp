@@ -100,8 +100,9 @@ TEST_F(WholeStudy, FiguresSayWhatIsNotDone) {
   ASSERT_EQ(
       mpmstudy("run " + file().string() + " --set impact_speed='{ values = [100, 200], unit = \"m/s\" }' -q",
                printed),
-      0)
+      1)
       << printed;
+  EXPECT_NE(printed.find("a quadratic fit needs at least 3 points; there are 2"), std::string::npos) << printed;
   printed.clear();
   EXPECT_EQ(mpmstudy("figures --cells 1 " + file().string(), printed), 75);
   EXPECT_NE(printed.find("2 of 4 jobs are not done"), std::string::npos) << printed;

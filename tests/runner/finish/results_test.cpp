@@ -149,6 +149,94 @@ TEST_F(Results, ANumberWithoutAMeaningIsFlaggedAndLeftOut) {
   EXPECT_THAT(left_out(study, found), SizeIs(3));
 }
 
+// Trial 25: 3000 m/s gave 0.15 +- 5.9 without a word, and `collapsed` beside it.
+TEST_F(Results, AnIntervalThatLeavesAllOpenAndAnOutcomeThatContradictsItsNumbersAreFlagged) {
+  Study study = made_study("open", {}, {"cavity_radius"});
+  for (int i = 0; i < 6; ++i) study.scenes.push_back(fakes::scene(1e-6 + i * 0.1e-6));
+  study.fits = {{"cavity_radius", "collapsibility", "linear"}};
+  std::vector<mpm::RunResult> made = {collapsed(0.15, 5.9), collapsed(0.15, 0.05), collapsed(0.995, 0.004),
+                                      collapsed(1.2, 0.1),  collapsed(0.6, 0.49),  collapsed(0.85, 0.06)};
+  made[0].outcome = made[1].outcome = made[2].outcome = made[5].outcome = "collapsed";
+  CatalogWriter writer(results());
+  put(writer, study, made);
+  const Rows flags = query(results(), "SELECT flags FROM jobs ORDER BY position");
+  const auto text = [&](std::size_t i) { return std::get<std::string>(flags.rows[i][0]); };
+  EXPECT_THAT(text(0), HasSubstr("interval as wide as what a collapsibility can be"));
+  EXPECT_THAT(text(1), HasSubstr("outcome collapsed, but"));
+  EXPECT_EQ(text(2), "") << "within what closing late leaves";
+  EXPECT_THAT(text(3), HasSubstr("outcome partial, but"));
+  EXPECT_EQ(text(4), "");
+  EXPECT_EQ(text(5), "");
+  const StudyResults found = read_results(study, results());
+  EXPECT_THAT(
+      column_of(found, group_jobs(study, found, {"cavity_radius"})[0], "cavity_radius", "collapsibility").y,
+      ElementsAre(0.995, 0.6, 0.85));
+  // An interval from several cells takes the place of what the job measured.
+  writer.replace_intervals("open", {{job_key(study.scenes[4]),
+                                     "collapsibility",
+                                     "1",
+                                     0.6,
+                                     0.7,
+                                     0.6,
+                                     0.7,
+                                     {},
+                                     "spread",
+                                     2,
+                                     0.7,
+                                     0,
+                                     {},
+                                     {},
+                                     {}}});
+  writer.flush();
+  EXPECT_THAT(left_out(study, found), SizeIs(4));
+}
+
+TEST_F(Results, AsManyPointsAsCoefficientsSayNothingOfTheFit) {
+  Study study = made_study("two", {fakes::scene(1e-6), fakes::scene(2e-6)}, {"cavity_radius"});
+  study.fits = {{"cavity_radius", "collapsibility", "linear"}};
+  CatalogWriter writer(results());
+  put(writer, study, {collapsed(0.5, 0.01), collapsed(0.6, 0.01)});
+  const Fits fits = fit_study(study, read_results(study, results()));
+  ASSERT_THAT(fits.rows, SizeIs(2));
+  EXPECT_FALSE(fits.rows[0].r2);
+  EXPECT_EQ(fits.rows[0].r2_text, "not judged (2 points, 2 coefficients)");
+}
+
+TEST_F(Results, ADoubtfulBracketIsLeftOutAndAFlaggedOneSaid) {
+  Study study = made_study("doubtful", {}, {"cavity_radius"});
+  study.search = SearchRequest{"impact_speed", "ejected", 100, 1000, 10, ""};
+  study.fits = {{"cavity_radius", "critical_speed", "linear"}};
+  const char* flags[] = {"", "flips back at 700 m/s", "lower end undecided", "failed at 300 m/s"};
+  std::vector<BracketRow> rows;
+  std::vector<mpm::Scene> proofs;
+  for (std::size_t i = 0; i < 4; ++i) {
+    study.scenes.push_back(fakes::scene(1e-6 + static_cast<double>(i) * 0.1e-6));
+    mpm::Scene lower = study.scenes.back(), upper = lower;
+    lower.impact_speed = 400;
+    upper.impact_speed = 410;
+    rows.push_back({"impact_speed", "m/s", 400.0, 410.0, job_key(lower), job_key(upper), 1e-7});
+    rows.back().position = static_cast<std::int64_t>(i);
+    rows.back().flags = flags[i];
+    proofs.insert(proofs.end(), {lower, upper});
+  }
+  CatalogWriter writer(results());
+  writer.register_study("doubtful", "", make_plan(made_study("doubtful", proofs)).jobs, false);
+  writer.replace_brackets("doubtful", rows);
+  const StudyResults found = read_results(study, results());
+  EXPECT_EQ(found.missing, 0u);
+  EXPECT_THAT(
+      column_of(found, group_jobs(study, found, {"cavity_radius"})[0], "cavity_radius", "critical_speed").x,
+      SizeIs(2));
+  EXPECT_THAT(left_out(study, found),
+              ElementsAre("impact_speed of the bracket at cavity_radius = 1.1 um: flips back at 700 m/s",
+                          "impact_speed of the bracket at cavity_radius = 1.2 um: lower end undecided"));
+  EXPECT_THAT(flagged_brackets(study, found),
+              ElementsAre("impact_speed of the bracket at cavity_radius = 1.3 um: failed at 300 m/s"));
+  EXPECT_EQ(query(results(), "SELECT * FROM critical_speed WHERE " + undoubted_sql()).rows.size(), 2u);
+  study.fits = {};
+  EXPECT_THAT(left_out(study, found), SizeIs(0)) << "nothing is made of them";
+}
+
 TEST_F(Results, ABracketOfAnotherStudyOfTheNameIsNotTakenForItsOwn) {
   Study study = made_study("found", {fakes::scene(1e-6)}, {"cavity_radius"});
   study.search = SearchRequest{"impact_speed", "ejected", 100, 1000, 10, ""};

@@ -46,7 +46,7 @@ TEST(BracketSearch, FindsEveryCriticalValueWithAnyWidthOfRounds) {
       ASSERT_TRUE(search.bracket()) << critical << ' ' << most;
       EXPECT_EQ(search.bracket()->lower, critical - 1);
       EXPECT_EQ(search.bracket()->upper, critical);
-      EXPECT_EQ(search.flags(Lattice(0, 64, 1)), "");
+      EXPECT_EQ(search.flags(Lattice(0, 64, 1), "m/s"), "");
     }
 }
 
@@ -102,8 +102,8 @@ TEST(BracketSearch, SaysWhereThereIsNoEnd) {
   run(high, from(21), 1);
   EXPECT_FALSE(low.bracket());
   EXPECT_FALSE(high.bracket());
-  EXPECT_EQ(low.flags(Lattice(0, 20, 1)), "no lower end");
-  EXPECT_EQ(high.flags(Lattice(0, 20, 1)), "no upper end");
+  EXPECT_EQ(low.flags(Lattice(0, 20, 1), "m/s"), "no lower end");
+  EXPECT_EQ(high.flags(Lattice(0, 20, 1), "m/s"), "no upper end");
 }
 
 TEST(BracketSearch, FlagsWhatFlipsBackWhatFailedAndWhatIsUndecided) {
@@ -112,7 +112,7 @@ TEST(BracketSearch, FlagsWhatFlipsBackWhatFailedAndWhatIsUndecided) {
   flips.tell(4, Verdict::below);
   flips.tell(5, Verdict::above);
   flips.tell(9, Verdict::below);
-  EXPECT_EQ(flips.flags(lattice), "flips back at 90");
+  EXPECT_EQ(flips.flags(lattice, "m/s"), "flips back at 90 m/s");
   EXPECT_EQ(flips.bracket()->upper, 5);
 
   BracketSearch broken(20);
@@ -120,12 +120,12 @@ TEST(BracketSearch, FlagsWhatFlipsBackWhatFailedAndWhatIsUndecided) {
       broken, [](int i) { return i == 10 ? Verdict::broken : from(12)(i); }, 1);
   EXPECT_EQ(broken.bracket()->lower, 11);
   EXPECT_EQ(broken.bracket()->upper, 12);
-  EXPECT_EQ(broken.flags(lattice), "failed at 100");
+  EXPECT_EQ(broken.flags(lattice, "m/s"), "failed at 100 m/s");
 
   BracketSearch undecided(20);
   run(
       undecided, [](int i) { return i == 7 ? Verdict::undecided : from(8)(i); }, 3);
-  EXPECT_EQ(undecided.flags(lattice), "lower end undecided");
+  EXPECT_EQ(undecided.flags(lattice, "m/s"), "lower end undecided");
 }
 
 TEST(Lattice, RefusesMoreStepsThanAnySearchNeeds) {
@@ -145,7 +145,8 @@ TEST(BracketSearch, TriesTheOtherEndWhereRunsFailAtOne) {
         EXPECT_LT(run(search, truth, most), 40);
         EXPECT_LT(run(guessed, truth, most), 40);
         for (const auto* one : {&search, &guessed}) {
-          ASSERT_TRUE(one->bracket()) << critical << ' ' << most << ' ' << one->flags(Lattice(0, 180, 1));
+          ASSERT_TRUE(one->bracket())
+              << critical << ' ' << most << ' ' << one->flags(Lattice(0, 180, 1), "m/s");
           EXPECT_EQ(one->bracket()->upper, critical);
           EXPECT_EQ(one->bracket()->lower, critical - 1);
         }
@@ -158,12 +159,13 @@ TEST(BracketSearch, EndsWhereRunsHaveNoVerdict) {
   EXPECT_LE(run(
                 none, [](int) { return Verdict::broken; }, 1),
             9);
-  EXPECT_THAT(none.flags(Lattice(0, 100'000, 1)), testing::StartsWith("no run has a verdict; failed at 0; "));
+  EXPECT_THAT(none.flags(Lattice(0, 100'000, 1), "m/s"),
+              testing::StartsWith("no run has a verdict; failed at 0 m/s; "));
   BracketSearch low(100'000);  // what runs is below
   EXPECT_LE(run(
                 low, [](int i) { return i > 12'345 ? Verdict::broken : Verdict::below; }, 1),
             40);
-  EXPECT_THAT(low.flags(Lattice(0, 100'000, 1)), testing::StartsWith("no upper end; failed at "));
+  EXPECT_THAT(low.flags(Lattice(0, 100'000, 1), "m/s"), testing::StartsWith("no upper end; failed at "));
   BracketSearch gap(100'000);  // all that lies between the verdicts fails
   EXPECT_LE(run(
                 gap,

@@ -16,6 +16,7 @@
 
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/row_format.hpp"
+#include "runner/catalog/stored_jobs.hpp"
 #include "runner/finish/figures.hpp"
 #include "runner/finish/fits.hpp"
 #include "tests/runner/fakes.hpp"
@@ -284,6 +285,43 @@ TEST_F(SearchStudy, OfAYieldStressIsFiledFittedAndDrawnInPascals) {
   drawn << svg.rdbuf();
   EXPECT_THAT(drawn.str(), testing::HasSubstr("Critical yield stress"));
   EXPECT_THAT(drawn.str(), testing::HasSubstr("GPa"));
+}
+
+// Trial 12: the lattice of a search gave 1.2999999999999998e-06, a length that is made of others
+// 4.000000000000001e-06.
+TEST_F(SearchStudy, WhatIsComputedIsFoundAsItWouldBeWritten) {
+  study_text = with(with(text, "cavity_radius", "impact_speed = \"500 m/s\""), "wall_thickness",
+                    "cavity_center_height = \"5 um\"");
+  study_text = with(with(study_text, "critical", "critical = \"cavity_radius\""), "between",
+                    "between = [\"1 um\", \"2 um\"]");
+  study_text = with(with(study_text, "tolerance", "tolerance = \"0.1 um\""), "cell_size",
+                    "cell_size = [\"0.4 um\", \"0.2 um\"]");
+  outcome = [](const mpm::Scene& s) { return s.cavity_radius > 1.25e-6 ? "ejected" : "arrested"; };
+  EXPECT_EQ(search(folder.path(), 2).exit_code(), 0);
+  const auto number = [&](const std::string& sql) {
+    return std::get<std::int64_t>(query(folder.path(), "SELECT count(*) FROM " + sql).rows[0][0]);
+  };
+  EXPECT_EQ(number("brackets WHERE lower = 1.2e-6 AND upper = 1.3e-6"), 2);
+  EXPECT_EQ(number("jobs WHERE cavity_radius_m = 1.3e-6"), 2);
+  EXPECT_EQ(number("job WHERE exact ->> 'cavity_radius_m' = 1.2999999999999998e-06"), 2) << "as it is keyed";
+  EXPECT_EQ(read_results(read_text(study_text), folder.path()).done.size(), 2u);
+  for (const StoredJob& stored : read_jobs(folder.path()))
+    EXPECT_EQ(job_key(stored.job.scene), stored.job.key);
+}
+
+TEST_F(SearchStudy, AHeightThatIsMadeOfAWallIsFoundAsItWouldBeWritten) {
+  study_text = with(with(text, "cavity_radius", "cavity_radius = \"1 um\""), "block_height",
+                    "block_height = \"6 um\"");
+  study_text = with(with(study_text, "wall_thickness", "wall_thickness = [\"1 um\", \"2 um\"]"), "cell_size",
+                    "cell_size = \"0.4 um\"");
+  search(folder.path(), 2);
+  const auto rows =
+      query(folder.path(),
+            "SELECT DISTINCT j.exact ->> 'cavity_center_height_m' FROM job j JOIN jobs USING (key) "
+            "WHERE jobs.cavity_center_height_m = 4e-6 AND jobs.wall_thickness_m = 1e-6");
+  ASSERT_EQ(rows.rows.size(), 1u);
+  EXPECT_EQ(rows.rows[0][0], SqlValue(4.000000000000001e-06));
+  EXPECT_EQ(read_results(read_text(study_text), folder.path()).done.size(), 2u);
 }
 
 TEST_F(SearchStudy, BracketsOfAnEarlierFormOfTheStudyAreNotItsOwn) {
