@@ -1,5 +1,5 @@
 #pragma once
-/// What is inside a catalog: tables (private), views (public; README.md), and how one version becomes the
+/// What is inside a catalog: tables (private), views (public, in views.cpp; README.md), and how one version becomes the
 /// next. Rules:
 /// - a table or a view changes by a new Migration at the end of migrations(), never by editing an old one;
 /// - a parameter is a row of libmpm/scene/parameters.hpp: its column is added when the catalog is opened;

@@ -15,13 +15,23 @@ namespace {
 
 constexpr std::int64_t most_failures = 10;
 
+/// Of a study ?1, coarser cells of its jobs too (the view `jobs` has these without a study).
+constexpr const char* failed =
+    " FROM job j JOIN study_job m ON m.job_id = j.id JOIN study s ON s.id = m.study_id WHERE s.name = ?1 AND "
+    "j.status = 'failed'";
+
 constexpr std::size_t least_reason = 40;  ///< columns of a reason that a label leaves
 
-/// What a search varies: the searched quantity first.
+/// What sets jobs apart that are in no table: those of a search (the searched quantity first), and coarser
+/// cells of a ladder.
 std::vector<std::string> varied(const Study& study) {
-  if (!study.search) return {};
-  std::vector<std::string> names = {study.search->critical};
-  names.insert(names.end(), study.swept.begin(), study.swept.end());
+  std::vector<std::string> names = study.swept;
+  if (study.search)
+    names.insert(names.begin(), study.search->critical);
+  else if (study.ladder.cells > 1)
+    names.emplace_back("cell_size");
+  else
+    names.clear();
   return names;
 }
 
@@ -59,13 +69,14 @@ std::string failures_text(const Study& study, const std::filesystem::path& resul
   const auto parameters = std::span(&name, 1);
   const auto names = varied(study);
   std::string columns;
-  for (const auto& one : names) columns += ", \"" + column_of_jobs(one) + "\"";
+  for (const auto& one : names) columns += ", j.\"" + column_of_jobs(one) + "\"";
   const auto rows =
-      query(results,
-            fmt::format("SELECT key, coalesce(failure_kind, 'error'), coalesce(reason, ''){} FROM jobs WHERE "
-                        "study = ?1 AND status = 'failed' ORDER BY position, key LIMIT {}",
-                        columns, most_failures),
-            parameters)
+      query(
+          results,
+          fmt::format("SELECT j.key, coalesce(j.failure_kind, 'error'), coalesce(j.reason, ''){}{} ORDER BY "
+                      "m.position, j.cell_size_m DESC, j.key LIMIT {}",
+                      columns, failed, most_failures),
+          parameters)
           .rows;
   if (rows.empty()) return "";
   std::string text;
@@ -77,14 +88,12 @@ std::string failures_text(const Study& study, const std::filesystem::path& resul
     text += cut_text(begin + cut_text(first_line(text_of(row[2])), room) + end, line_columns) + "\n";
   }
   const auto all = std::get<std::int64_t>(
-      query(results, "SELECT count(*) FROM jobs WHERE study = ?1 AND status = 'failed'", parameters)
-          .rows.at(0)
-          .at(0));
+      query(results, std::string("SELECT count(*)") + failed, parameters).rows.at(0).at(0));
   if (all > most_failures)
     text += fmt::format(
-        "  ... {} more failed; all: mpmstudy query{} \"SELECT key, reason FROM jobs WHERE "
-        "study = '{}' AND status = 'failed'\"\n",
-        all - most_failures, results_option(results), study.name);
+        "  ... {} more failed; all: mpmstudy query{} \"SELECT key, study, reason FROM jobs WHERE status = "
+        "'failed'\"\n",
+        all - most_failures, results_option(results));
   return text + fmt::format(
                     "  `mpmstudy explain{} KEY` has the whole reason; `mpmstudy run --retry-failed` "
                     "runs failed jobs again\n",

@@ -136,6 +136,18 @@ TEST_F(ResultsText, a_search_says_why_runs_failed) {
     }
 }
 
+TEST_F(ResultsText, coarser_cells_that_failed_are_said) {
+  write("[\"1 um\", \"2 um\"]", "ladder = 3\n");
+  simulate = [good = simulate](const mpm::Scene& s, mpm::Observer& o) {
+    if (s.numerics.cell_size > 0.9e-6 && s.cavity_radius > 1.5e-6)
+      throw std::runtime_error("J < 0 in step 3");
+    return good(s, o);
+  };
+  EXPECT_EQ(run(), exit_failed);
+  EXPECT_THAT(table(), ContainsRegex("  failed  [0-9a-f]{12}  error: J < 0 in step 3 .*  cavity_radius = 2 um, "
+                                     "cell_size = 1 um\n"));
+}
+
 TEST_F(ResultsText, values_that_round_alike_stay_apart) {
   write("\"1 um\"", "", "[\"1500.001 m/s\", \"1500.002 m/s\"]");
   EXPECT_EQ(run(), 0);
