@@ -167,6 +167,14 @@ TEST_F(Claims, FollowOutcomesAndMetrics) {
   EXPECT_EQ(judged("incomplete-collapse").verdict, "does not hold");
   EXPECT_EQ(judged("less-collapse-along-shock").verdict, "does not hold");
 
+  // Numbers that have a flag are no evidence, and that is said.
+  mpm::RunResult torn = with(0.15);
+  torn.final_area = 0.85e-12;
+  torn.collapsibility_error = 5.9;
+  put(writer, "weak-collapse", {job(11)}, {torn});
+  EXPECT_EQ(judged("incomplete-collapse").verdict, "not decided");
+  EXPECT_THAT(judged("incomplete-collapse").measured, testing::HasSubstr("interval as wide as"));
+
   put(writer, "scale-invariance", {job(5), job(6)}, {with(0.8), with(0.8)});
   EXPECT_EQ(judged("scale-invariance").verdict, "holds");
   put(writer, "scale-invariance", {job(7), job(8)}, {with(0.8), with(0.8000000001)});
@@ -216,7 +224,7 @@ TEST_F(Claims, FollowTheFitOfTheCriticalSpeed) {
   say("critical-speed", {points[0], points[1]});
   said["critical-speed"].search = SearchRequest{"impact_speed", "ejected", 200, 1000, 10, ""};
   writer.register_study("critical-speed", "", {uppers[0], uppers[1]}, false);
-  const auto fit = [&](double r2, std::optional<double> chi2) {
+  const auto fit = [&](std::optional<double> r2, std::optional<double> chi2) {
     writer.replace_fits(
         "critical-speed",
         {{"critical_speed_extrapolated", "wall_thickness", "quadratic", "c0", 100, 1.0, r2, "m/s", {}, chi2},
@@ -251,6 +259,15 @@ TEST_F(Claims, FollowTheFitOfTheCriticalSpeed) {
   EXPECT_THAT(judged("critical-speed-parabola").measured, testing::HasSubstr("intervals of up to ± 20 m/s"));
   fit(0.6, 4);
   EXPECT_EQ(judged("critical-speed-parabola").verdict, "does not hold");
+  // Through as many points as coefficients every parabola goes.
+  fit({}, {});
+  EXPECT_EQ(judged("critical-speed-parabola").verdict, "not decided at these cells");
+  EXPECT_THAT(judged("critical-speed-parabola").measured, testing::HasSubstr("as many points as"));
+  // A bracket whose value is not known is no evidence.
+  auto doubtful = bracket(1, 600, 590, 2e-6);
+  doubtful.flags = "flips back at 700 m/s";
+  writer.replace_brackets("critical-speed", {bracket(0, 400, 390, 1e-6), doubtful});
+  EXPECT_THAT(judged("critical-speed-values").measured, testing::HasSubstr("to 390 ± 20 m/s at 1 um"));
   // A curvature within its standard error is none.
   writer.replace_fits("critical-speed", {{"critical_speed_extrapolated",
                                           "wall_thickness",

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace mpmstudy {
 namespace {
 
@@ -25,6 +27,14 @@ TEST(Round, KeepsTwelveDigits) {
   EXPECT_EQ(round_to_12_digits(0.1 + 0.2), 0.3);
   EXPECT_EQ(round_to_12_digits(108.57142857142857), 108.571428571);
   EXPECT_EQ(round_to_12_digits(0), 0);
+}
+
+TEST(WithoutRounding, GivesWhatWasWrittenAndKeepsWhatWasNot) {
+  EXPECT_EQ(without_rounding(6e-6 - 1e-6 - 1e-6), 4e-6);
+  EXPECT_EQ(without_rounding(1.2999999999999998e-06), 1.3e-6);
+  EXPECT_EQ(without_rounding(std::nextafter(1e-6, 1)), 1e-6);
+  for (const double value : {0.0, 1.0 / 3, 1.23456789012345e-6, 1e-7 / std::sqrt(2.0), HUGE_VAL, -2.5})
+    EXPECT_EQ(without_rounding(value), value);
 }
 
 TEST(ShortestText, ReadsBack) {
