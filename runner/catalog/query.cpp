@@ -11,6 +11,7 @@
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
+#include "runner/catalog/schema.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -79,12 +80,25 @@ class TimeLimit {
   Clock::time_point end_;
 };
 
+/// What is not there may be there after an update.
+std::string older_note(sqlite3* handle) {
+  sqlite3_set_authorizer(handle, nullptr, nullptr);  // the connection is given up
+  sqlite3_stmt* raw = nullptr;
+  sqlite3_prepare_v2(handle, "PRAGMA user_version", -1, &raw, nullptr);
+  const Prepared version(raw);
+  if (!version || sqlite3_step(version.get()) != SQLITE_ROW ||
+      sqlite3_column_int(version.get(), 0) >= current_catalog_schema().version())
+    return "";
+  return "; the catalog is of an older mpmstudy, `mpmstudy run STUDY` brings it up to date";
+}
+
 [[noreturn]] void refuse(sqlite3* handle, int code) {
   if (code == SQLITE_INTERRUPT) throw CatalogError("query: it took too long");
   if (code == SQLITE_AUTH)
     throw CatalogError("query: " + std::string(sqlite3_errmsg(handle)) +
                        ": only reading is allowed (SELECT over the views; see runner/catalog/README.md)");
-  throw CatalogError("query: " + std::string(sqlite3_errmsg(handle)));
+  const std::string message = sqlite3_errmsg(handle);
+  throw CatalogError("query: " + message + older_note(handle));
 }
 
 /// Plain SQLite: Statement of SQLiteCpp drops what stands behind the first statement without a word.

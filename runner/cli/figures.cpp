@@ -28,7 +28,12 @@ int run_figures(const FiguresOptions& options) {
   for (const StudyForm& form : forms_of(options.files, options.study, options.results, all_there)) {
     const Study study = read_study(form.path, form.options);
     const StudyResults results = read_results(study, options.results);
-    for (const auto& path : draw_figures(study, results)) fmt::print("{}\n", path.string());
+    const auto drawn = draw_figures(study, results);
+    for (const auto& path : drawn) fmt::print("{}\n", path.string());
+    for (const std::string& line : not_drawn(study, drawn, options.results)) {
+      fmt::print(stderr, "{}: {}\n", study.name, line);
+      code = std::max(code, exit_failed);
+    }
     code = std::max(
         code,
         say_what_is_missing(study, results, form.path + options_text(form.options.set, form.options.cells)));

@@ -276,7 +276,7 @@ std::string fits_text(const Study& study, const std::filesystem::path& results) 
     const auto y = analysis::named_quantity(request.y, unit_of(read, request.y));
     for (const Group& group : group_jobs(study, read, curve_of(study, request.x, request.y))) {
       const Column c = column_of(read, group, request.x, request.y);
-      if (c.x.empty() && study.search) continue;  // extrapolated values stand on the finest cell alone
+      if (c.x.empty() && stands_elsewhere(group, request.y)) continue;
       const analysis::Fit fit = fit_column(request, c);
       const std::string what = fmt::format("{} of {} against {}{}", request.model, request.y, request.x,
                                            group.label.empty() ? "" : ", " + group.label);

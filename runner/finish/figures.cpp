@@ -192,12 +192,35 @@ std::vector<fs::path> draw_figures(const Study& study, const StudyResults& resul
   return stems;
 }
 
+std::vector<std::string> not_drawn(const Study& study, const std::vector<fs::path>& drawn,
+                                   const fs::path& results) {
+  std::vector<std::string> lines;
+  for (const FigureRequest& request : study.figures) {
+    if (request.kind == "calibration") continue;  // an accuracy may be reached before there are cells for it
+    if (std::ranges::any_of(drawn, [&](const fs::path& file) {
+          const std::string stem = file.stem().string();
+          return stem == request.name || (request.kind == "fields" && stem.starts_with(request.name + "-"));
+        }))
+      continue;
+    const fs::path before = results / "figures" / study.name / (request.name + ".png");
+    lines.push_back(fmt::format("figure {}: there is nothing to draw{}", request.name,
+                                fs::exists(before) ? "; " + before.string() + " is of an earlier run" : ""));
+  }
+  return lines;
+}
+
 std::vector<std::string> figure_notes(const Study& study, const StudyResults& results) {
   std::vector<std::string> notes;
   for (const std::string& line : left_out(study, results))
     notes.push_back("left out of figures and fits: " + line);
   for (const std::string& line : flagged_brackets(study, results))
     notes.push_back("drawn and fitted, since the runs at both ends have their outcomes: " + line);
+  for (const FigureRequest& request : study.figures)
+    if (request.kind == "calibration" && results.missing == 0 &&
+        calibration_of(study, results, request.y).empty())
+      notes.push_back(
+          fmt::format("figure {}: not drawn, its ladders have too few cells to judge intervals of {}",
+                      request.name, request.y));
   for (const FigureRequest& request : study.figures)
     if (const auto missing = analysis::characters_without_font(request.title); !missing.empty())
       notes.push_back(

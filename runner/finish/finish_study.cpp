@@ -51,11 +51,14 @@ void finish_study(const Study& study, const std::filesystem::path& folder, Catal
   for (const std::string& note : figure_notes(study, results))
     fmt::print(stderr, "{}: {}\n", study.name, note);
   writer.replace_fits(study.name, std::move(fits.rows));
-  for (const auto& path : draw_figures(study, results)) fmt::print("{}\n", path.string());
+  const auto drawn = draw_figures(study, results);
+  for (const auto& path : drawn) fmt::print("{}\n", path.string());
+  const auto empty = not_drawn(study, drawn, folder);
+  for (const std::string& line : empty) fmt::print(stderr, "{}: {}\n", study.name, line);
   if (study.ladder.accuracy) check_accuracy(study, folder);
-  if (!fits.problems.empty())
+  if (const std::size_t missed = fits.problems.size() + empty.size(); missed > 0)
     throw std::runtime_error(fmt::format("{} could not be made, for the reasons above",
-                                         counted(static_cast<std::int64_t>(fits.problems.size()), "fit")));
+                                         missed == 1 ? "a fit or a figure" : "fits or figures"));
 }
 
 }  // namespace mpmstudy

@@ -21,6 +21,12 @@ std::string coefficient_unit(const std::string& y, std::string_view x, std::size
 
 }  // namespace
 
+bool stands_elsewhere(const Group& group, const std::string& y) {
+  return critical_result(y) == CriticalResult::extrapolated &&
+         std::ranges::none_of(group.jobs,
+                              [](const JobResults* job) { return job->extrapolated.has_value(); });
+}
+
 Column column_of(const StudyResults& results, const Group& group, const std::string& x,
                  const std::string& y) {
   Column column;
@@ -52,7 +58,7 @@ Fits fit_study(const Study& study, const StudyResults& results) {
     const std::string_view x_unit = mpm::find_quantity(request.x)->unit;
     for (const Group& group : group_jobs(study, results, curve_of(study, request.x, request.y))) {
       const Column c = column_of(results, group, request.x, request.y);
-      if (c.x.empty() && study.search) continue;  // extrapolated values stand on the finest cell alone
+      if (c.x.empty() && stands_elsewhere(group, request.y)) continue;
       const analysis::Fit fit = fit_column(request, c);
       const std::string model = group.label.empty() ? request.model : request.model + ", " + group.label;
       if (!fit.ok()) {

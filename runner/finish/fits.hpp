@@ -14,6 +14,10 @@ struct Column {
 };
 Column column_of(const StudyResults&, const Group&, const std::string& x, const std::string& y);
 
+/// Values for cells of size 0 stand on the finest cell alone: no fit is made of a group without any, and none
+/// is missed.
+bool stands_elsewhere(const Group&, const std::string& y);
+
 /// The curve through a column. Where every point has an interval, points weigh 1 / half width^2, and half
 /// widths are taken as standard deviations: standard errors are then no smaller than what the bars beside the
 /// curve leave open. Otherwise they weigh the same.

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "runner/catalog/catalog_error.hpp"
+#include "runner/catalog/query.hpp"
 #include "runner/catalog/writer.hpp"
 #include "tests/runner/fakes.hpp"
 
@@ -76,6 +77,13 @@ TEST_F(Reader, a_catalog_of_an_older_program_is_read_as_it_is) {
           "ALTER TABLE runner DROP COLUMN name_space; ALTER TABLE runner DROP COLUMN beats;"
           "ALTER TABLE runner DROP COLUMN expires_s; PRAGMA user_version = 6");
   EXPECT_EQ(read_state(folder.path()).running.size(), 1u);
+  try {
+    query(folder.path(), "SELECT name_space FROM runner");
+    FAIL();
+  } catch (const CatalogError& error) {
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("no such column: name_space; the catalog is of an older mpmstudy"));
+  }
 }
 
 TEST_F(Reader, state_names_the_study_of_coarser_cells) {

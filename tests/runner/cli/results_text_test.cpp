@@ -108,6 +108,24 @@ TEST_F(ResultsText, a_fit_that_cannot_be_made_is_told_by_the_exit_code) {
   }
 }
 
+TEST_F(ResultsText, a_figure_of_which_nothing_is_left_is_told_by_the_exit_code) {
+  const std::string figure =
+      "[[figure]]\nname = \"f\"\nkind = \"xy\"\nx = \"cavity_radius\"\ny = \"collapsibility\"\n";
+  write("[\"1 um\", \"2 um\"]", figure);
+  EXPECT_EQ(run(), 0);
+  write("[\"1.1 um\", \"1.9 um\"]", figure);
+  simulate = [good = simulate](const mpm::Scene& s, mpm::Observer& o) {
+    auto result = good(s, o);
+    result.collapsibility_error = 5.9;
+    return result;
+  };
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(), exit_failed);
+  EXPECT_THAT(
+      testing::internal::GetCapturedStderr(),
+      ContainsRegex("t: figure f: there is nothing to draw; .*/figures/t/f\\.png is of an earlier run\n"));
+}
+
 TEST_F(ResultsText, a_search_says_why_runs_failed) {
   std::ofstream(folder.path() / "t.toml")
       << "schema = 1\nname = \"t\"\ntitle = \"A test\"\nscene = \"cavity-impact\"\n[parameters]\n"
@@ -144,8 +162,9 @@ TEST_F(ResultsText, coarser_cells_that_failed_are_said) {
     return good(s, o);
   };
   EXPECT_EQ(run(), exit_failed);
-  EXPECT_THAT(table(), ContainsRegex("  failed  [0-9a-f]{12}  error: J < 0 in step 3 .*  cavity_radius = 2 um, "
-                                     "cell_size = 1 um\n"));
+  EXPECT_THAT(table(),
+              ContainsRegex("  failed  [0-9a-f]{12}  error: J < 0 in step 3 .*  cavity_radius = 2 um, "
+                            "cell_size = 1 um\n"));
 }
 
 TEST_F(ResultsText, values_that_round_alike_stay_apart) {

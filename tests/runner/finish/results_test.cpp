@@ -233,6 +233,14 @@ TEST_F(Results, ADoubtfulBracketIsLeftOutAndAFlaggedOneSaid) {
   EXPECT_THAT(flagged_brackets(study, found),
               ElementsAre("impact_speed of the bracket at cavity_radius = 1.3 um: failed at 300 m/s"));
   EXPECT_EQ(query(results(), "SELECT * FROM critical_speed WHERE " + undoubted_sql()).rows.size(), 2u);
+  // Where no bracket is left there is no fit, and that is said.
+  StudyResults none = found;
+  std::erase_if(none.done, [](const JobResults& bracket) { return !is_doubtful(bracket.flags); });
+  EXPECT_THAT(fit_study(study, none).problems, SizeIs(1));
+  study.fits = {{"cavity_radius", "critical_speed_extrapolated", "linear"}};
+  EXPECT_THAT(fit_study(study, none).problems, SizeIs(0)) << "one cell gives no value for cells of size 0";
+  for (JobResults& bracket : none.done) bracket.extrapolated = Measured{400, 10};
+  EXPECT_THAT(fit_study(study, none).problems, SizeIs(1));
   study.fits = {};
   EXPECT_THAT(left_out(study, found), SizeIs(0)) << "nothing is made of them";
 }
