@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -45,7 +47,7 @@ void write_all(const std::filesystem::path& path, int file, std::span<const std:
 }
 
 void write_and_sync(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.number() < 0) fail(path, "cannot create");
   write_all(path, file.number(), bytes);
   if (::fsync(file.number()) != 0) fail(path, "cannot sync");
@@ -59,11 +61,18 @@ void sync_folder(std::filesystem::path folder) {
   if (::fsync(file.number()) != 0 && errno != EINVAL) fail(folder, "cannot sync the folder");
 }
 
+/// "PATH.0123456789abcdef.tmp": random, since process numbers are the same on two machines.
+std::filesystem::path temporary_name(const std::filesystem::path& path) {
+  std::random_device random;
+  char text[17];
+  std::snprintf(text, sizeof text, "%08x%08x", random(), random());
+  return path.string() + "." + text + ".tmp";
+}
+
 }  // namespace
 
 void write_durably(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-  std::filesystem::path temporary = path;
-  temporary += ".tmp";
+  const std::filesystem::path temporary = temporary_name(path);
   try {
     write_and_sync(temporary, bytes);
     if (::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot rename the .tmp to it");

@@ -21,7 +21,7 @@
 
 namespace mpm {
 
-/// Writes to path + ".tmp", syncs, and renames: a file that has its name is whole. An existing file is
+/// As write_durably() does: a file that has its name is whole. An existing file is
 /// replaced. Throws std::runtime_error naming path and cause; std::invalid_argument for columns of unequal
 /// length.
 void write_vtkhdf(const std::filesystem::path&, const Snapshot&);

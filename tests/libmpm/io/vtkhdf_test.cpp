@@ -1,13 +1,17 @@
 #include "libmpm/io/vtkhdf.hpp"
+#include "libmpm/io/durable_file.hpp"
 #include "tests/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <future>
 #include <limits>
 #include <sstream>
 #include <thread>
@@ -65,6 +69,13 @@ std::string read_bytes(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  return names;
+}
+
 std::string error_of(auto&& call) {
   try {
     call();
@@ -83,7 +94,7 @@ TEST_F(VtkhdfTest, GivesBackEveryBit) {
   const mpm::Snapshot read = mpm::read_vtkhdf(folder_ / "a.h5");
   expect_same_bits(read, written);
   EXPECT_TRUE(std::signbit(read.pressure[0]));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.h5.tmp"));
+  EXPECT_EQ(names_in(folder_), std::vector<std::string>{"a.h5"});
 }
 
 TEST_F(VtkhdfTest, KeepsAnEmptySnapshotAndASingleParticle) {
@@ -138,9 +149,30 @@ TEST_F(VtkhdfTest, AFileCutShortIsAnError) {
 TEST_F(VtkhdfTest, AFailedWriteLeavesTheOldFile) {
   mpm::write_vtkhdf(folder_ / "a.h5", make_snapshot(10));
   const std::string before = read_bytes(folder_ / "a.h5");
-  std::filesystem::create_directory(folder_ / "a.h5.tmp");  // in the way of the temporary file
+  rlimit usual{};
+  getrlimit(RLIMIT_FSIZE, &usual);
+  const rlimit low{1000, usual.rlim_max};  // as if the disk were full
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &low);
   EXPECT_THROW(mpm::write_vtkhdf(folder_ / "a.h5", make_snapshot(20)), std::runtime_error);
+  setrlimit(RLIMIT_FSIZE, &usual);
+  std::signal(SIGXFSZ, handler);
   EXPECT_EQ(read_bytes(folder_ / "a.h5"), before);
+  EXPECT_EQ(names_in(folder_), std::vector<std::string>{"a.h5"});
+}
+
+// Two processes that run one job write one checkpoint: neither takes the other's half.
+TEST_F(VtkhdfTest, TwoMayWriteOneFileAtOnce) {
+  const auto write = [&](std::byte value) {
+    const std::vector<std::byte> bytes(100'000, value);
+    for (int i = 0; i < 50; ++i) mpm::write_durably(folder_ / "a", bytes);
+  };
+  auto other = std::async(std::launch::async, write, std::byte{'b'});
+  EXPECT_NO_THROW(write(std::byte{'a'}));
+  EXPECT_NO_THROW(other.get());
+  const std::string bytes = read_bytes(folder_ / "a");
+  EXPECT_EQ(bytes, std::string(100'000, bytes[0]));
+  EXPECT_EQ(names_in(folder_), std::vector<std::string>{"a"});
 }
 
 /// The numbers of the first line that starts so; hexadecimal floating point loses no bit.
