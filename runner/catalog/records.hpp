@@ -142,8 +142,10 @@ enum class Members {
 /// Some of the jobs that are registered: only they are to run.
 struct Selection {
   Members members = Members::exactly;
-  std::optional<std::unordered_set<std::string>> keys{};  ///< none: all
+  std::optional<std::unordered_set<std::string>> keys{};   ///< none: all
+  std::optional<std::unordered_set<std::string>> retry{};  ///< where failed jobs are to run again; none: all
   bool has(const std::string& key) const { return !keys || keys->contains(key); }
+  bool retries(const std::string& key) const { return has(key) && (!retry || retry->contains(key)); }
 };
 
 /// Which failed jobs; "": any.

@@ -216,7 +216,7 @@ Registration Store::register_study(const std::string& name, const std::string& t
     const auto [id, status, attempt, runner, crashes] = rows[i];
     std::string again;  // why, if so
     if (status == JobStatus::cancelled) again = "wanted again";
-    if (status == JobStatus::failed && retry_failed && selection.has(jobs[i].key))
+    if (status == JobStatus::failed && retry_failed && selection.retries(jobs[i].key))
       again = "retry of a failed job";
     if (const auto found = damaged.find(id); found != damaged.end()) {
       again = found->second;

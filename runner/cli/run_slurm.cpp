@@ -14,6 +14,7 @@
 #include "runner/cli/amounts.hpp"
 #include "runner/cli/merge.hpp"
 #include "runner/cli/print_failures.hpp"
+#include "runner/cli/print_results.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/ladder/climbs.hpp"
@@ -128,14 +129,17 @@ struct Standing {
   std::size_t queued = 0;
   std::size_t doubtful = 0;   ///< of a submission that may be in the queue
   std::size_t elsewhere = 0;  ///< another `mpmstudy run` is at them
-  std::size_t open() const { return to_submit.size() + queued + doubtful + elsewhere; }
+  std::size_t unmerged = 0;   ///< run, but not taken over yet
+  std::size_t open() const { return to_submit.size() + queued + doubtful + elsewhere + unmerged; }
 };
 
 Standing standing_of(const RunOptions& options, const std::vector<Job>& jobs,
                      const std::vector<Submission>& submissions) {
-  std::set<std::string> doubtful;
-  for (const auto& submission : submissions)
+  std::set<std::string> doubtful, unmerged;
+  for (const auto& submission : submissions) {
     if (!submission.unknown.empty()) doubtful.merge(keys_of(submission));
+    if (submission.unmerged) unmerged.merge(keys_of(submission));
+  }
   const auto queued = queued_keys(submissions);
   // A dry run has not planned failed jobs again, nor those of a process that is gone.
   const auto decided =
@@ -146,6 +150,8 @@ Standing standing_of(const RunOptions& options, const std::vector<Job>& jobs,
     if (decided.contains(job.key)) continue;
     if (doubtful.contains(job.key))
       ++standing.doubtful;
+    else if (unmerged.contains(job.key))
+      ++standing.unmerged;
     else if (queued.contains(job.key))
       ++standing.queued;
     else if (running.contains(job.key))
@@ -173,7 +179,10 @@ int print_standing(const Standing& standing, const Study& study) {
   if (standing.doubtful > 0)
     fmt::print(stderr, "{}: {} not submitted: they may be in the queue; run again when Slurm answers\n",
                study.name, jobs(standing.doubtful));
-  return standing.doubtful + standing.elsewhere > 0 ? exit_stopped : exit_ok;
+  if (standing.unmerged > 0)
+    fmt::print(stderr, "{}: {} not submitted: they are in shards that could not be merged now\n", study.name,
+               jobs(standing.unmerged));
+  return standing.doubtful + standing.elsewhere + standing.unmerged > 0 ? exit_stopped : exit_ok;
 }
 
 void print_doubts(const std::vector<Submission>& submissions) {
@@ -218,8 +227,10 @@ int tend(const RunOptions& options, const Study& study, std::vector<Submission>&
                s.folder.string(), shards.size(), s.record.shards);
     MergeOptions merge{{}, options.results};
     for (const auto& shard : shards) merge.folders.push_back(shard.string());
-    if (!shards.empty() && run_merge(merge) != exit_ok) code = exit_failed;
-    close_submission(s.folder);
+    const int merged = shards.empty() ? exit_ok : run_merge(merge);
+    code = std::max(code, merged);
+    s.unmerged = merged == exit_stopped;  // a full disk, say: what is whole is not run again for that
+    if (!s.unmerged) close_submission(s.folder);
   }
   return code;
 }
@@ -288,6 +299,17 @@ std::vector<Job> open_jobs(const PlannedStudy& planned, const RunOptions& option
   return jobs;
 }
 
+/// Fits and figures; false if one could not be finished.
+bool finish_one(const Study& study, const RunOptions& options, const RunSeams& seams, CatalogWriter& writer) {
+  try {
+    if (seams.finish_study) seams.finish_study(study, options.results, writer);
+    return true;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", study.name, error.what());
+    return false;
+  }
+}
+
 }  // namespace
 
 int run_on_slurm(const RunOptions& options, const Study& study, const PlannedStudy& planned,
@@ -306,9 +328,10 @@ int run_on_slurm(const RunOptions& options, const Study& study, const PlannedStu
   const auto jobs = open_jobs(planned, options, writer, registered);
   if (!jobs.empty()) return std::max(tended, submit_jobs(options, study, jobs, submissions));
   fmt::print("{}: {} done, {} failed, none left\n", study.name, registered.done, registered.failed);
-  if (seams.finish_study) seams.finish_study(study, options.results, writer);
+  const bool good = finish_one(study, options, seams, writer);
+  if (!options.quiet) fmt::print("{}\n", results_text(study, options.results));
   // A shard that could not be taken over is told by the exit code, too; what Slurm still holds is of no use.
-  return registered.failed > 0 || tended == exit_failed ? exit_failed : exit_ok;
+  return !good || registered.failed > 0 || tended == exit_failed ? exit_failed : exit_ok;
 }
 
 int search_on_slurm(const RunOptions& options, const Study& study, const SearchOptions& search,
@@ -341,10 +364,11 @@ int search_on_slurm(const RunOptions& options, const Study& study, const SearchO
   };
   const SearchReport report = run_search(study, search, writer, options.results, submit_round);
   if (report.run.left() > 0) return code;
+  const bool good = finish_one(study, options, seams, writer);
+  fmt::print("\n{}: {}\n", study.name, study.title);
   print_search(study, report);
-  fmt::print("{}", failures_text(study, options.results));
-  if (seams.finish_study) seams.finish_study(study, options.results, writer);
-  return tended == exit_failed ? std::max(exit_failed, report.exit_code()) : report.exit_code();
+  fmt::print("{}{}", failures_text(study, options.results), fits_text(study, options.results));
+  return !good || tended == exit_failed ? std::max(exit_failed, report.exit_code()) : report.exit_code();
 }
 
 }  // namespace mpmstudy

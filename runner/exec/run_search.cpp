@@ -116,7 +116,7 @@ class SearchRun {
         return std::move(report_);
       }
       all.scenes.insert(all.scenes.end(), scenes.begin(), scenes.end());
-      if (!round(all)) return std::move(report_);
+      if (!round(all, scenes)) return std::move(report_);
       const auto states = states_of(results_, all.name);
       for (const mpm::Scene& scene : scenes) {
         const std::string key = job_key(scene);
@@ -137,9 +137,14 @@ class SearchRun {
 
  private:
   /// False if the run was stopped. Every round registers the jobs of those before, too, so what it finds
-  /// decided is counted at the end.
-  bool round(const Study& study) {
-    const PlannedStudy planned{make_plan(study, options_.cost), study.title, options_.source};
+  /// decided is counted at the end. Failed jobs are tried again in the round that asks for them, `scenes`,
+  /// and not in every round after it.
+  bool round(const Study& study, const std::vector<mpm::Scene>& scenes) {
+    PlannedStudy planned{make_plan(study, options_.cost), study.title, options_.source, {}};
+    if (options_.retry_failed) {
+      planned.selection.retry.emplace();
+      for (const mpm::Scene& scene : scenes) planned.selection.retry->insert(job_key(scene));
+    }
     RunReport one = run_round_(planned);
     one.reused = one.left_failed = 0;
     report_.run += one;
@@ -175,7 +180,7 @@ class SearchRun {
       whole.scenes.push_back(scene);
       whole.scenes.back().measures.stop = mpm::Stop::end_time;
     }
-    if (whole.scenes.empty() || !round(whole)) return;
+    if (whole.scenes.empty() || !round(whole, whole.scenes)) return;
     const auto says = states_of(results_, whole.name);
     for (const auto& [key, state] : says) report_.run.left_failed += state.status == "failed";
     for (std::size_t i = 0; i < early.size(); ++i) {

@@ -95,6 +95,12 @@ std::optional<JobNumber> parse_job_number(std::string_view printed) {
   std::istringstream lines{std::string(printed)};
   for (std::string line; std::getline(lines, line);) {
     while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.pop_back();
+    // Without --parsable: "Submitted batch job 4711", "... on cluster fast".
+    if (constexpr std::string_view words = "Submitted batch job "; line.starts_with(words)) {
+      line.erase(0, words.size());
+      constexpr std::string_view on = " on cluster ";
+      if (const auto at = line.find(on); at != std::string::npos) line.replace(at, on.size(), ";");
+    }
     const auto end = line.find(';');
     JobNumber number{line.substr(0, end), end == std::string::npos ? "" : line.substr(end + 1)};
     if (number.id.empty() || number.id.find_first_not_of("0123456789") != std::string::npos) continue;

@@ -38,7 +38,8 @@ struct JobNumber {
   std::string id, cluster;  ///< cluster: "" unless `sbatch` names one
 };
 
-/// The last line that is NUMBER or NUMBER;CLUSTER, as `sbatch --parsable` prints it. Pure.
+/// The last line that is NUMBER or NUMBER;CLUSTER, as `sbatch --parsable` prints it, or "Submitted batch job
+/// NUMBER on cluster CLUSTER", as it prints it where a wrapper has dropped --parsable. Pure.
 std::optional<JobNumber> parse_job_number(std::string_view printed);
 
 struct SubmitAnswer {

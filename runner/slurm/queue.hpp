@@ -20,6 +20,8 @@ struct Submission {
   std::size_t held = 0;                  ///< of the pending: someone has held them
   std::vector<std::string> stranded;     ///< of the held: Slurm could not start them and asks for a human
   bool merge_queued = false;
+  bool unmerged =
+      false;  ///< it has ended, and its shards could not be taken over: they wait for the next run
 
   bool array_queued() const { return pending + running > 0; }
   /// Some of it is in the queue, or may be.

@@ -77,8 +77,8 @@ class SearchStudy : public testing::Test {
       if (outcome) r.outcome = outcome(s);
       return r;
     };
-    return run_search(study, {1e6, false, audit, {}}, writer, status, simulate, fakes::write_snapshot, flag,
-                      executor);
+    return run_search(study, {1e6, retry_failed, audit, {}}, writer, status, simulate, fakes::write_snapshot,
+                      flag, executor);
   }
   std::string rows(const std::filesystem::path& results) {
     std::ostringstream out;
@@ -94,6 +94,7 @@ class SearchStudy : public testing::Test {
   std::function<bool(const mpm::Scene&)> breaks;          ///< which runs fail
   std::function<std::string(const mpm::Scene&)> outcome;  ///< in place of that of the made-up material
   std::string study_text = text;
+  bool retry_failed = false;
   bool late = false;  ///< runs to the end say "ejected" whatever the speed
 };
 
@@ -162,6 +163,18 @@ TEST_F(SearchStudy, IsTheSameForAnyNumberOfWorkersAndAfterAStop) {
   for (const auto& row : done.rows) simulated.insert(std::get<std::string>(row[0]));
   EXPECT_EQ(search(folder.path() / "stopped", 2).run.left(), 0);
   EXPECT_EQ(rows(folder.path() / "stopped"), rows(folder.path() / "one"));
+}
+
+// Every round registers the jobs of those before it, too: what fails now is not tried in all rounds after it.
+TEST_F(SearchStudy, AFailedJobIsTriedAgainOncePerRun) {
+  breaks = [](const mpm::Scene& s) { return s.impact_speed > 900 && s.impact_speed < 1100; };
+  const SearchReport first = search(folder.path(), 2);
+  EXPECT_GT(first.run.executed.failed, 1);
+  simulated.clear();  // search() refuses a key that it has seen
+  retry_failed = true;
+  const SearchReport again = search(folder.path(), 2);
+  EXPECT_EQ(again.run.executed.failed, first.run.executed.failed);
+  EXPECT_EQ(again.run.executed.done, 0);
 }
 
 TEST_F(SearchStudy, WhereRunsFailHalfStepsKeepTheToleranceAndAuditsLeaveThemOut) {

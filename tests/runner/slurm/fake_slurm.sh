@@ -28,7 +28,7 @@ run_sbatch() {
     "") take; echo $id ;;
     notice) notice; echo "Welcome to the cluster"; take; echo $id; echo; echo "$id jobs of yours are waiting" ;;
     cluster) take; echo "$id;fake" ;;
-    wordy) take; echo "Submitted batch job $id" ;;                    # --parsable is ignored by a wrapper
+    wordy) take; echo "Submitted batch job $id" ;;                    # a wrapper drops --parsable
     refuses) fail "Batch job submission failed: Invalid partition name specified" ;;
     fails) exit 1 ;;                                                  # without a word
     hangs) sleep 60 ;;

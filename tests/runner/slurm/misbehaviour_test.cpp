@@ -134,7 +134,8 @@ const std::vector<SubmitCase> submit_cases = {
     {"answers", "", "", "", 0, both, true, "submitted: array 4711, merge 4712", 0, 0, both},
     {"notice", "notice", "", "", 0, both, true, "sbatch: NOTICE: maintenance", 0, 0, both},
     {"names_a_cluster", "cluster", "", "", 0, both, true, "submitted: array 4711, merge 4712", 0, 0, both},
-    {"wordy", "wordy", "", "", 0, both, true, "but squeue has the job as 4711", 0, 0, both},
+    // squeue cannot help here: the words are understood
+    {"wordy", "wordy", "unreachable", "", 0, both, true, "submitted: array 4711, merge 4712", 0, 0, both},
     {"refuses", "refuses", "", "", 75, none, false, "Invalid partition name", 0, 0, both},
     {"fails", "fails", "", "", 75, none, true, "exit code 1", 75, 75, none},
     {"dies", "dies", "", "", 75, none, true, "exit code 137", 75, 75, none},
@@ -295,6 +296,49 @@ TEST_F(FakeSlurm, loses_the_merge) {
   EXPECT_EQ(submit({"--dry-run"}), 0);
   EXPECT_THAT(output, HasSubstr("nothing is left to submit: every job is decided"));
   EXPECT_THAT(output, Not(HasSubstr("in the queue")));
+}
+
+// What an element made cannot be taken over now, as with a full disk: it is kept, and not run again.
+TEST_F(FakeSlurm, keeps_a_shard_that_cannot_be_taken_over_now) {
+  ASSERT_EQ(submit(), 0) << output;
+  const auto first = folders().at(0);
+  const std::string element =
+      "SLURM_ARRAY_TASK_ID=0 SLURM_JOB_ID=1 bash '" + (first / "array.sh").string() + "' > /dev/null 2>&1";
+  ASSERT_EQ(std::system(element.c_str()), 0);
+  fs::remove(slurm / "jobs");
+  fs::remove_all(results + "/fields");
+  std::ofstream(results + "/fields") << "in the way\n";
+  EXPECT_EQ(std::system(("bash '" + (first / "merge.sh").string() + "' > /dev/null 2>&1").c_str()) >> 8, 75);
+  EXPECT_FALSE(fs::exists(first / "merged")) << "the merge's script has taken no for an answer";
+  EXPECT_EQ(submit(), 75) << output;
+  EXPECT_THAT(output, HasSubstr("2 jobs not submitted: they are in shards that could not be merged now"));
+  EXPECT_FALSE(fs::exists(first / "merged"));
+  EXPECT_EQ(taken(), none);
+  fs::remove(results + "/fields");
+  EXPECT_EQ(submit(), 0) << output;
+  EXPECT_THAT(output, HasSubstr("2 jobs merged"));
+  EXPECT_EQ(taken(), none);
+}
+
+// As a run on threads: what to know of the study, and what has come of it.
+TEST_F(FakeSlurm, has_warnings_and_a_table_of_results) {
+  const auto file = folder.path() / "prefix.toml";
+  fs::copy_file(smoke, file);
+  edit(file, "\\[parameters\\]", "[parameters]\nyield_stress = \"120 mPa\"");
+  const Arguments slurm_run = {"run", file.string(), "--engine", "slurm", "--results", results};
+  ASSERT_EQ(run(slurm_run), 0) << output;
+  EXPECT_THAT(output, HasSubstr("yield_stress: 120 mPa is unusual"));
+  fs::remove(slurm / "jobs");
+  run({"run", file.string(), "--results", results});
+  ASSERT_EQ(run(slurm_run), 0) << output;
+  EXPECT_THAT(output, HasSubstr("yield_stress: 120 mPa is unusual"));
+  EXPECT_THAT(output, HasSubstr("none left"));
+  EXPECT_THAT(output, testing::ContainsRegex("  job +[a-z_]+ +collapsibility"));
+  Arguments only = slurm_run;
+  std::ofstream(folder.path() / "keys") << "x\n";
+  only.insert(only.end(), {"--only", (folder.path() / "keys").string()});
+  EXPECT_EQ(run(only), 2);
+  EXPECT_THAT(output, HasSubstr("does not go with --engine slurm"));
 }
 
 // All is decided, but what an element made cannot be read: that is no success.
