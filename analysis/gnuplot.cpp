@@ -110,8 +110,13 @@ void run_gnuplot(const FigureFolder& folder, const std::string& body, FigureSize
       size.width, size.height);
   draw_one(folder, png, body, "png.gp", "figure.png");
   draw_one(folder, svg, body, "svg.gp", "figure.svg");
-  std::filesystem::rename(folder.path() / "figure.png", with_suffix(stem, ".png"));
-  std::filesystem::rename(folder.path() / "figure.svg", with_suffix(stem, ".svg"));
+  for (const char* suffix : {".png", ".svg"}) {
+    const std::filesystem::path figure = with_suffix(stem, suffix);
+    std::error_code error;
+    std::filesystem::rename(with_suffix(folder.path() / "figure", suffix), figure, error);
+    if (error)
+      throw std::runtime_error(fmt::format("{}: cannot be written: {}", figure.string(), error.message()));
+  }
 }
 
 }  // namespace analysis

@@ -13,8 +13,33 @@
 
 namespace mpmstudy {
 
-OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), partial_(unique_name(path_)) {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a link leads to is replaced, not the link; `-o /dev/stdout` is one, too.
+fs::path behind_links(fs::path path) {
   std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target;
+}
+
+/// A device or a pipe is written to: a file that takes its place would be a device no longer.
+bool is_written_in_place(const fs::path& path) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path)
+    : path_(behind_links(std::move(path))),
+      partial_(is_written_in_place(path_) ? path_ : unique_name(path_)) {
+  std::error_code error;
+  if (fs::is_directory(path_, error))
+    throw CatalogError(path_.string() + ": cannot be written: it is a folder");
   if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
   stream_.open(partial_, std::ios::binary | std::ios::trunc);
   if (!stream_)
@@ -23,7 +48,7 @@ OutputFile::OutputFile(std::filesystem::path path) : path_(std::move(path)), par
 }
 
 OutputFile::~OutputFile() {
-  if (committed_) return;
+  if (committed_ || partial_ == path_) return;
   stream_.close();
   std::error_code ignored;
   std::filesystem::remove(partial_, ignored);
@@ -32,6 +57,7 @@ OutputFile::~OutputFile() {
 void OutputFile::commit() {
   stream_.close();
   if (!stream_) throw CatalogError(path_.string() + ": cannot be written; is the disk full?");
+  if (partial_ == path_) return;
   try {
     sync_to_disk(partial_);
     std::filesystem::rename(partial_, path_);

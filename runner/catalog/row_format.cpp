@@ -132,8 +132,14 @@ class TableSink : public RowSink {
 
  private:
   static std::string one_line(std::string text) {
-    for (char& c : text)
-      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const auto byte = static_cast<unsigned char>(text[i]);
+      const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : ' ');
+      if (byte < 0x20 || byte == 0x7f)
+        text[i] = ' ';
+      else if (byte == 0xC2 && next >= 0x80 && next < 0xA0)  // U+0080 to U+009F, controls of 8-bit terminals
+        text.replace(i, 2, " ");
+    }
     return text;
   }
   void print(const std::vector<std::string>& line, const std::vector<std::size_t>& widths) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -27,6 +28,8 @@ void setup_retry(CLI::App& app) {
 }
 
 int run_retry(const RetryOptions& options) {
+  if (std::ranges::find(options.keys, "") != options.keys.end())  // a variable of the shell that is not set
+    throw StudyError("KEY: is empty; without any key, every failed job is planned again");
   // Throws if there is no catalog, or no such study.
   if (options.filter.study.empty())
     open_for_reading(options.results);

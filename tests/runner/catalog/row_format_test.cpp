@@ -1,10 +1,15 @@
 #include "runner/catalog/row_format.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
@@ -82,6 +87,35 @@ TEST(RowFormat, doubles_come_back_bit_for_bit) {
   }
   EXPECT_EQ(shortest(5), "5.0");
   EXPECT_EQ(shortest(INFINITY), "inf");
+}
+
+// As root a file could take the place of a device, and `> /dev/full` would succeed from then on.
+TEST(OutputFile, leaves_devices_pipes_links_and_folders_what_they_are) {
+  const fakes::TemporaryFolder folder;
+  const auto pipe = folder.path() / "pipe", target = folder.path() / "target", link = folder.path() / "link";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  {
+    OutputFile file(pipe);
+    file.stream() << "text";
+    file.commit();
+  }
+  char text[5] = {};
+  EXPECT_EQ(read(reader, text, 4), 4);
+  close(reader);
+  EXPECT_STREQ(text, "text");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  std::ofstream(target) << "old";
+  std::filesystem::create_symlink(target, link);
+  {
+    OutputFile file(link);
+    file.stream() << "new";
+    file.commit();
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  std::ifstream in(target);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "new");
+  EXPECT_THROW(OutputFile(folder.path()), CatalogError);
 }
 
 TEST(OutputFile, appears_when_it_is_whole) {
