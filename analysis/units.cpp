@@ -88,15 +88,14 @@ std::string with_powers(std::string_view unit) {
   return text;
 }
 
-/// "centroid_shift_m" without its unit.
+}  // namespace
+
 std::string_view without_unit(std::string_view name, std::string_view unit) {
   std::string end = "_";
   for (const char c : unit)
     if (c != '^') end += c == '/' ? '_' : c;
   return name.ends_with(end) ? name.substr(0, name.size() - end.size()) : name;
 }
-
-}  // namespace
 
 bool is_known_unit(std::string_view unit) {
   return std::ranges::find(scales, with_powers(unit), &Scale::si) != scales.end();

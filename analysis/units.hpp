@@ -19,6 +19,9 @@ struct Quantity {
 /// words.
 Quantity named_quantity(std::string_view name, std::string_view unit_if_unknown = "1");
 
+/// "final_void_area" of "final_void_area_m2" and "m2": for a table that has the unit in a line of its own.
+std::string_view without_unit(std::string_view name, std::string_view unit);
+
 /// Whether display_unit has scales for an SI unit. "m2" is "m^2".
 bool is_known_unit(std::string_view si_unit);
 

@@ -29,6 +29,7 @@
 #include "runner/cli/watch.hpp"
 #include "runner/exec/signals.hpp"
 #include "runner/finish/finish_study.hpp"
+#include "runner/study/characters.hpp"
 
 namespace {
 
@@ -61,13 +62,13 @@ int run(CLI::App& app, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? mpmstudy::exit_ok : mpmstudy::exit_usage;
   } catch (const mpmstudy::StudyError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", mpmstudy::printable_lines(error.what()));
     return mpmstudy::exit_usage;
   } catch (const mpmstudy::CatalogError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", mpmstudy::printable_lines(error.what()));
     return mpmstudy::exit_usage;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mpmstudy: {}\n", error.what());
+    fmt::print(stderr, "mpmstudy: {}\n", mpmstudy::printable_lines(error.what()));
     return mpmstudy::exit_failed;
   }
   fmt::print(stderr, "{}", app.help());

@@ -10,7 +10,9 @@ namespace mpm {
 /// A number for a message: the shortest text that reads as the same bits.
 std::string text_of(double);
 
-/// Collects what is wrong with a scene; values and units come from the table of parameters.
+/// Collects what is wrong with a scene; values and units come from the table of parameters. A limit that is a
+/// quantity stands in `allowed` in parentheses, with its SI unit and nothing else: "at most cavity_radius ("
+/// + text_of(r) + " m)". Who knows the units of a file writes it in them (runner/study/written_unit.hpp).
 class Report {
  public:
   explicit Report(const Scene& scene) : scene_(scene) {}

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "runner/status/label.hpp"
+#include "runner/study/characters.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
@@ -83,7 +84,7 @@ void ask(const std::string& too_much) {
 }
 
 void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& line : warnings) fmt::print(stderr, "warning: {}\n", line);
+  for (const std::string& line : warnings) fmt::print(stderr, "warning: {}\n", printable(line));
 }
 
 }  // namespace mpmstudy

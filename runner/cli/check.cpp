@@ -9,6 +9,7 @@
 #include "runner/cli/ask.hpp"
 #include "runner/plan/warnings.hpp"
 #include "runner/status/label.hpp"
+#include "runner/study/characters.hpp"
 
 namespace mpmstudy {
 
@@ -32,7 +33,7 @@ int run_check(const CheckOptions& options) {
                  readable_bytes(demand_of(jobs, 1).bytes), cpu_seconds(jobs) / 3600,
                  study.search ? " for the lower end of its search" : "");
     } catch (const StudyError& error) {
-      fmt::print(stderr, "{}\n", error.what());
+      fmt::print(stderr, "{}\n", printable_lines(error.what()));
       result = exit_usage;
     }
   return result;

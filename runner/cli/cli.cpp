@@ -47,7 +47,13 @@ Study read_study(const std::string& path, const StudyOptions& options) {
 
 void add_results_option(CLI::App& verb, std::string& results) {
   if (results.empty()) results = "results";
-  verb.add_option("--results", results, "Folder of results")->type_name("DIR")->capture_default_str();
+  const auto named = [](const std::string& folder) {  // a variable of the shell that is not set
+    return folder.empty() ? std::string("is empty; name a folder") : std::string();
+  };
+  verb.add_option("--results", results, "Folder of results")
+      ->type_name("DIR")
+      ->capture_default_str()
+      ->check(CLI::Validator(named, ""));
 }
 
 void finish(int exit_code) { throw CLI::RuntimeError(exit_code); }

@@ -11,6 +11,7 @@
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/stored_jobs.hpp"
+#include "runner/exec/run_search.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/schema.hpp"
@@ -53,7 +54,9 @@ void check_names(const std::vector<StudyForm>& forms) {
   std::map<std::string, std::string> seen;
   for (const StudyForm& form : forms) {
     const std::string name = read_study(form.path, form.options).name;
-    if (const auto [other, is_new] = seen.emplace(name, form.path); !is_new)
+    if (const auto [other, is_new] = seen.emplace(name, form.path); !is_new && other->second == form.path)
+      throw StudyError(form.path + ": is given twice");
+    else if (!is_new)
       throw StudyError(form.path + ": name = \"" + name + "\": is also the name of " + other->second +
                        "; studies that share a catalog have names of their own");
   }
@@ -136,31 +139,37 @@ StudyForm as_written(StudyForm form) {
 }
 
 void say_what_is_replaced(const Study& study, const Plan* plan, const StudyOptions& options,
-                          const std::string& results) {
+                          const std::string& results, bool only_planned) {
   const auto before = recorded_source(results, study.name);
   if (!before) return;
+  const bool own_file = is_file_of(study.path.string(), *before);
   const bool same = before->set == options.set && before->cells == options.cells;
-  if (!plan && same) return;
+  if (!plan && same && own_file) return;
   const SqlValue name = study.name;
   const Rows done =
       query(results, "SELECT key FROM jobs WHERE study = ?1 AND status = 'done'", std::span(&name, 1));
-  std::set<std::string> wanted;
+  std::set<std::string> leave;
+  for (const auto& row : done.rows) leave.insert(std::get<std::string>(row[0]));
   if (plan)
-    for (const Job& job : all_jobs(*plan)) wanted.insert(job.key);
-  const auto leaving = std::ranges::count_if(
-      done.rows, [&](const auto& row) { return !wanted.contains(std::get<std::string>(row[0])); });
-  if (leaving == 0) return;
+    for (const Job& job : all_jobs(*plan)) leave.erase(job.key);
+  else
+    possible_scenes(study, [&](const std::string& key) { return leave.erase(key) > 0; });
+  const auto leaving = std::ssize(leave);
+  if (leaving == 0 && own_file) return;
   const std::string were = options_text(before->set, before->cells);
-  fmt::print(
-      stderr,
-      "{}: takes the place of the study of this name that was run before{}: {} {} it, and its fits and "
-      "figures are replaced; `--set name=...` keeps both\n",
-      study.name,
-      !is_file_of(study.path.string(), *before) ? " from " + before->path + were
-      : same                                    ? ", before its file was changed"
-      : were.empty()                            ? " as its file is"
-                                                : " with" + were,
-      counted(leaving, "done job"), leaving == 1 ? "leaves" : "leave");
+  std::string text = fmt::format("{}: {} the place of the study of this name that was run before{}",
+                                 study.name, only_planned ? "would take" : "takes",
+                                 !own_file      ? " from " + before->path + were
+                                 : same         ? ", before its file was changed"
+                                 : were.empty() ? " as its file is"
+                                                : " with" + were);
+  if (leaving > 0)
+    text += fmt::format(": {} {} it, and its fits and figures {}", counted(leaving, "done job"),
+                        only_planned   ? "would leave"
+                        : leaving == 1 ? "leaves"
+                                       : "leave",
+                        only_planned ? "would be replaced" : "are replaced");
+  fmt::print(stderr, "{}; `--set name=...` keeps both\n", text);
 }
 
 void say_last_form(const Study& study, const StudyOptions& options, const std::string& results) {

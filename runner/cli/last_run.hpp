@@ -35,10 +35,12 @@ StudyForm as_written(StudyForm);
 /// " --cells 1.4 --set impact_speed=\"150 m/s\"": as one would type it; "" for the file as it is.
 std::string options_text(const std::vector<std::string>& set, double cells);
 
-/// Before `run` registers a study: says in one line what becomes of jobs that the catalog has under its name
-/// and that this form of it does not have. Nothing where there are none. `plan`: of the study; null for a
-/// search, whose jobs follow from what it finds.
-void say_what_is_replaced(const Study&, const Plan* plan, const StudyOptions&, const std::string& results);
+/// Before `run` registers a study: says in one line that it takes the place of one that another file has
+/// registered under its name, and how many done jobs this form of it does not have. Nothing where neither is
+/// so. `plan`: of the study; null for a search, whose jobs follow from what it finds. `only_planned`: of a
+/// dry run, which changes nothing.
+void say_what_is_replaced(const Study&, const Plan* plan, const StudyOptions&, const std::string& results,
+                          bool only_planned);
 
 /// For `plan`, which plans what `run` with the same options would run: says in one line that the catalog has
 /// the study in another form, if it has.

@@ -44,12 +44,12 @@ std::string duration(double seconds) {
   return fmt::format("{:.3g} h", seconds / 3600);
 }
 
-/// "1.2 CPU-hours (0.9 to 1.6, 19 times out of 20)".
+/// "1.2 CPU-hours (95 % interval: 0.9 to 1.6)".
 std::string readable_cost(const Prediction& cost) {
   constexpr double hour = 3600;
   std::string text = fmt::format("{:.3g} CPU-hours", cost.seconds / hour);
   if (cost.interval)
-    text += fmt::format(" ({:.3g} to {:.3g}, 19 times out of 20)", cost.interval->low / hour,
+    text += fmt::format(" (95 % interval: {:.3g} to {:.3g})", cost.interval->low / hour,
                         cost.interval->high / hour);
   return text;
 }

@@ -131,8 +131,9 @@ TextColumn errors_beside(const std::vector<std::optional<double>>& values,
   double largest = 0;
   for (const auto& value : values)
     if (value && std::isfinite(*value)) largest = std::max(largest, std::abs(*value));
-  const double factor = analysis::display_unit(si_unit, largest).factor;
-  TextColumn column{"+-", "", {}, false};
+  const auto unit = analysis::display_unit(si_unit, largest);
+  const double factor = unit.factor;
+  TextColumn column{"+-", unit.text, {}, false};
   for (const auto& error : errors)
     column.cells.push_back(error ? fmt::format("{:.{}g}", *error * factor, error_digits) : "-");
   return column;
@@ -199,7 +200,7 @@ std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<Re
     const auto values = numbers(at), errors = numbers(at + 1);
     at += 2;
     const std::string unit = unit_of(folder, result.name);
-    TextColumn column{result.name, "", {}, false};
+    TextColumn column{std::string(analysis::without_unit(result.name, unit)), "", {}, false};
     fill(column, values, study, "", unit);
     if (is_of_the_final_area(result.name)) mark_flagged(column, rows);
     columns.push_back(std::move(column));

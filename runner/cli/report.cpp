@@ -11,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "runner/catalog/output_file.hpp"
@@ -71,8 +72,10 @@ std::ptrdiff_t pictures_of(const std::string& html) {
 
 /// A page with more pictures than the one that takes its place is kept under another name, and that is said.
 void keep_fuller_page(const std::filesystem::path& output, const std::string& page) {
-  std::ifstream in(output, std::ios::binary);
-  if (!in) return;
+  std::error_code error;  // `-o /dev/stdout` has nothing to keep
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(output, error)) in.open(output, std::ios::binary);
+  if (!in.is_open()) return;
   const std::string before(std::istreambuf_iterator<char>(in), {});
   const auto had = pictures_of(before), has = pictures_of(page);
   if (had <= has) return;
@@ -117,6 +120,22 @@ std::vector<Study> studies_as_written(const std::vector<StudyForm>& forms, const
   return studies;
 }
 
+/// Claims of the studies that are reported; without files, of all that the catalog has, if only by name. Says
+/// in one line of which studies given there are none.
+std::vector<Claim> claims_to_show(std::vector<Claim> claims, const std::vector<ReportedStudy>& reported,
+                                  const ReportOptions& options) {
+  std::set<std::string> names;
+  for (const ReportedStudy& one : reported) names.insert(one.study.name);
+  if (options.files.empty())
+    for (const StoredStudy& stored : read_studies(options.results)) names.insert(stored.name);
+  std::set<std::string> without = names;
+  for (const Claim& c : claims) without.erase(c.study);
+  std::erase_if(claims, [&](const Claim& c) { return !names.contains(c.study); });
+  if (!without.empty() && (claims.empty() || !options.files.empty()))
+    fmt::print(stderr, "the paper claims nothing of {}\n", fmt::join(without, ", "));
+  return claims;
+}
+
 }  // namespace
 
 void setup_report(CLI::App& app) {
@@ -144,12 +163,13 @@ int run_report(const ReportOptions& options) {
       judge_claims(options.results, studies_as_written(forms, options.results, unlike));
   for (Claim& c : claims)
     if (const auto found = unlike.find(c.study); found != unlike.end()) c.measured = found->second;
-  const std::string page = report_page(studies, options.results, claims);
   {
     WriterOptions writer_options;
     writer_options.store.git_revision = git_revision();
     CatalogWriter(options.results, writer_options).replace_claims(claims);
   }
+  claims = claims_to_show(std::move(claims), studies, options);
+  const std::string page = report_page(studies, options.results, claims);
   const std::filesystem::path output = options.output.empty()
                                            ? std::filesystem::path(options.results) / "report.html"
                                            : std::filesystem::path(options.output);

@@ -49,7 +49,10 @@ namespace {
 void check_names(const std::vector<Study>& studies) {
   std::map<std::string, std::filesystem::path> seen;
   for (const auto& study : studies)
-    if (const auto [other, is_new] = seen.emplace(study.name, study.path); !is_new)
+    if (const auto [other, is_new] = seen.emplace(study.name, study.path);
+        !is_new && other->second == study.path)
+      throw StudyError(study.path.string() + ": is given twice");
+    else if (!is_new)
       throw StudyError(study.path.string() + ": name = \"" + study.name + "\": is also the name of " +
                        other->second.string() + "; studies that share a catalog have names of their own");
 }
@@ -109,9 +112,11 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
     count += forecast.runs;
     about |= forecast.runs > 0;
   }
-  fmt::print("{}{} would run, about {} of one core; {} done, {} failed and would be left\n",
-             about ? "about " : "", counted(count, "job"), readable_duration(seconds), kept["done"],
-             kept["failed"]);
+  fmt::print("{}{} would run, about {} of one core; {} done already{}\n", about ? "about " : "",
+             counted(count, "job"), readable_duration(seconds), kept["done"],
+             kept["failed"] > 0 ? fmt::format(", {} failed before: only --retry-failed runs {} again",
+                                              kept["failed"], kept["failed"] == 1 ? "it" : "them")
+                                : "");
   return exit_ok;
 }
 
@@ -199,8 +204,8 @@ void choose(const std::string& path, const std::map<std::string, int>& lines,
   }
   if (more > 5) unknown += fmt::format("and {} more\n", more - 5);
   if (more > 0)
-    throw StudyError(unknown + "no job of " + names +
-                     " has such a key as the study is now; `mpmstudy plan --json` lists the keys, of 32 "
+    throw StudyError(unknown + "not a key of a job of " + names +
+                     " as its file and the options are now; `mpmstudy plan --json` lists the keys, of 32 "
                      "hexadecimal digits");
 }
 
@@ -251,23 +256,6 @@ int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
   return code;
 }
 
-/// A study of this name that another file has registered, and that is still there: its jobs will leave it.
-void warn_of_other_files(const RunOptions& options, const std::vector<Study>& studies) {
-  for (const StoredStudy& known : read_studies(options.results))
-    for (const Study& study : studies) {
-      std::error_code none;
-      const std::filesystem::path& other = known.source.path;
-      if (study.name != known.name || other.empty() || !std::filesystem::exists(other, none) ||
-          std::filesystem::equivalent(study.path, other, none))
-        continue;
-      print_warnings(
-          {fmt::format("{}: study \"{}\" was last run from {}: this file takes its place, and jobs that only "
-                       "the other one "
-                       "has leave the study; --set name=... keeps both",
-                       study.path.string(), study.name, other.string())});
-    }
-}
-
 /// Says what the studies should know, and asks where they take more than this machine has. A search counts
 /// with its points at their lower end. Who gives keys (--only) has decided already.
 void warn_and_ask(const RunOptions& options, const std::vector<Study>& studies,
@@ -277,7 +265,6 @@ void warn_and_ask(const RunOptions& options, const std::vector<Study>& studies,
       for (const auto& row :
            query(options.results, "SELECT DISTINCT key FROM jobs WHERE status = 'done'").rows)
         done.insert(std::get<std::string>(row[0]));
-      warn_of_other_files(options, studies);
     } catch (const CatalogError&) {  // of an older program, or damaged: opening it to write sees to that
     }
   std::vector<Job> left;
@@ -292,6 +279,12 @@ void warn_and_ask(const RunOptions& options, const std::vector<Study>& studies,
         left.push_back(job);
   }
   if (options.study.yes || options.dry_run || left.empty()) return;
+  if (options.engine ==
+      "slurm") {  // memory and processors are another machine's; the longest job takes its time
+    const double longest = std::ranges::max_element(left, {}, &Job::predicted_seconds)->predicted_seconds;
+    ask(too_much({0, longest}, std::nullopt));
+    return;
+  }
   ask(too_much(demand_of(left, options.workers > 0 ? options.workers : usable_processors()), free_memory()));
 }
 
@@ -320,7 +313,8 @@ void say_what_is_replaced(const std::vector<Study>& studies, const std::vector<P
                           const RunOptions& options) {
   auto next = planned.begin();
   for (const Study& study : studies)
-    say_what_is_replaced(study, study.search ? nullptr : &(next++)->plan, options.study, options.results);
+    say_what_is_replaced(study, study.search ? nullptr : &(next++)->plan, options.study, options.results,
+                         options.dry_run);
 }
 
 }  // namespace
@@ -387,6 +381,9 @@ void refuse_idle_options(const RunOptions& options, const std::vector<Study>& st
         "--slurm, --shard-time, --shards and --rounds are for --engine slurm; without it the jobs would run "
         "on "
         "this machine");
+  if (options.engine == "slurm" && !options.only.empty())
+    throw StudyError("--only " + options.only +
+                     ": does not go with --engine slurm, which deals out all jobs");
   if (share_of(options.audit) > 0 &&
       std::ranges::none_of(studies, [](const Study& study) { return study.search.has_value(); }))
     throw StudyError("--audit " + options.audit + ": none of these studies has a [search] to audit");
@@ -403,8 +400,8 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   if (options.only.empty()) say_what_is_replaced(studies, planned, options);
   if (const auto note = share_note(options.results); !note.empty() && !options.dry_run)
     fmt::print(stderr, "{}\n", note);
-  if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
   if (options.only.empty()) warn_and_ask(options, studies, planned, cost);
+  if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
   JobLabels labels(studies);
   add_labels(labels, studies, planned);
   if (options.dry_run) return print_intent(options, studies, planned, cost, labels);

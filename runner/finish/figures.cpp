@@ -181,13 +181,6 @@ std::vector<fs::path> draw_figures(const Study& study, const StudyResults& resul
       drawn = draw_xy(study, results, request, stem);
     if (drawn) stems.push_back(stem);
   }
-  auto sorted = stems;
-  std::ranges::sort(sorted);
-  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
-    throw std::runtime_error(
-        fmt::format("{}: two figures are {}.png: of `fields` each job has NAME-1, NAME-2, "
-                    "..., each also NAME-grey; give the other figure another name",
-                    study.path.string(), twice->string()));
   for (fs::path& stem : stems) stem += ".png";
   return stems;
 }

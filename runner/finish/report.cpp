@@ -239,14 +239,7 @@ analysis::PageSection section_of(const ReportedStudy& reported, const fs::path& 
   return section;
 }
 
-}  // namespace
-
-std::string report_page(const std::vector<ReportedStudy>& studies, const fs::path& folder,
-                        const std::vector<Claim>& claims) {
-  analysis::Page page;
-  page.title = "Cavity collapse under shock: the paper, reproduced";
-  page.subtitle =
-      "A. Xu, X. F. Pan, G. Zhang, J. Zhu, J. Phys.: Condens. Matter 19 (2007) 326212, held against mpmstudy";
+analysis::PageSection section_of(const std::vector<Claim>& claims) {
   analysis::PageSection judged{
       "claims",
       "Claims",
@@ -267,7 +260,24 @@ std::string report_page(const std::vector<ReportedStudy>& studies, const fs::pat
     table.rows.push_back({c.sentence, c.verdict, c.measured, reference, c.note, c.study});
   }
   judged.tables.push_back(std::move(table));
-  page.sections.push_back(std::move(judged));
+  return judged;
+}
+
+}  // namespace
+
+std::string report_page(const std::vector<ReportedStudy>& studies, const fs::path& folder,
+                        const std::vector<Claim>& claims) {
+  analysis::Page page;
+  if (claims.empty()) {
+    for (const ReportedStudy& one : studies) page.title += (page.title.empty() ? "" : ", ") + one.study.name;
+    page.subtitle = "mpmstudy";
+  } else {
+    page.title = "Cavity collapse under shock: the paper, reproduced";
+    page.subtitle =
+        "A. Xu, X. F. Pan, G. Zhang, J. Zhu, J. Phys.: Condens. Matter 19 (2007) 326212, held against "
+        "mpmstudy";
+    page.sections.push_back(section_of(claims));
+  }
 
   std::string fingerprints;
   for (const ReportedStudy& study : studies) {

@@ -27,7 +27,7 @@ struct CostSample {
   std::string study;
 };
 
-/// Processor time [s], with the interval that holds it 19 times out of 20; without one if nothing is known.
+/// Processor time [s], with its 95 % interval; without one if nothing is known.
 struct Prediction {
   double seconds = 0;
   struct Interval {

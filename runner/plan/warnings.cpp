@@ -43,8 +43,12 @@ std::string place_of(const Study& study, std::string_view name) {
   return place.empty() ? study.path.string() : place;
 }
 
+/// "283 nm": a thickness and a cell say enough in three digits.
+std::string short_length(double metres) { return readable(std::stod(fmt::format("{:.3g}", metres)), "m"); }
+
+/// The begin of a warning about some of the jobs.
 std::string jobs_text(std::size_t some, std::size_t all) {
-  return some == all ? "" : fmt::format(" in {} of {} jobs", some, all);
+  return some == all ? "" : fmt::format("{} of {} jobs: ", some, all);
 }
 
 class Warnings {
@@ -101,16 +105,17 @@ class Warnings {
     for (const Usual& usual : usual_values) {
       const mpm::Quantity* row = mpm::find_quantity(usual.quantity);
       if (!row || !row->belongs_to(study_.kind) || !is_given(usual.quantity)) continue;
+      std::size_t jobs = 0;
+      double first = 0;
       for (const mpm::Scene& scene : study_.scenes) {
         const double v = row->get(scene);
         if (v == 0 || v == infinity || (v >= usual.low && v <= usual.high)) continue;
-        say(usual.quantity,
-            fmt::format("{} is unusual: {} to {} are usual. Is its prefix right? (m is milli, M is "
-                        "mega)",
-                        readable(v, row->unit), readable(usual.low, row->unit),
-                        readable(usual.high, row->unit)));
-        break;
+        if (jobs++ == 0) first = v;
       }
+      if (jobs > 0)
+        say(usual.quantity, fmt::format("{}{} is unusual: {} to {} are usual; m is milli, M is mega",
+                                        jobs_text(jobs, study_.scenes.size()), readable(first, row->unit),
+                                        readable(usual.low, row->unit), readable(usual.high, row->unit)));
     }
   }
 
@@ -133,12 +138,10 @@ class Warnings {
     }
     for (const auto& [name, worst] : thinnest)
       say(worst.part.parameter,
-          fmt::format("{} is {} thick, {:.2g} cells of {}{}: below two cells the grid does not show it; {}",
-                      name, readable(worst.part.size, "m"), worst.part.cells, readable(worst.cell, "m"),
-                      jobs_text(worst.jobs, plan_.jobs.size()),
-                      plan_.ladders.empty()
-                          ? "what becomes of it is no result: take a smaller cell_size"
-                          : "that is the coarsest cell of the ladder, on which intervals rest"));
+          fmt::format("{}{} is {:.2g} cells thick ({} at a cell of {}{}); the grid shows 2 or more",
+                      jobs_text(worst.jobs, plan_.jobs.size()), name, worst.part.cells,
+                      short_length(worst.part.size), short_length(worst.cell),
+                      plan_.ladders.empty() ? "" : ", the ladder's coarsest"));
   }
 
   /// Once the shock has run to the free rear of each body and the release has come back, real bodies part.
@@ -162,10 +165,9 @@ class Warnings {
       }
     if (jobs > 0)
       say("end_time",
-          fmt::format("{}{} is later than about {}, when the release waves from the rear faces meet at "
-                      "the contact: real bodies part then, but these hold together once they have "
-                      "met, under tension too; end earlier, or take higher blocks",
-                      readable(end, "s"), jobs_text(jobs, study_.scenes.size()), readable(earliest, "s")));
+          fmt::format("{}{} is later than about {}, when real bodies part; these hold together once they "
+                      "have met",
+                      jobs_text(jobs, study_.scenes.size()), readable(end, "s"), readable(earliest, "s")));
   }
 
   void beyond_the_equation_of_state() {
@@ -182,10 +184,8 @@ class Warnings {
     }
     if (jobs > 0)
       say("impact_speed",
-          fmt::format(
-              "the planar shock{} has {}, beyond pressure_limit = {}, up to which the equation of state is "
-              "valid",
-              jobs_text(jobs, study_.scenes.size()), readable(highest, "Pa"), readable(limit, "Pa")));
+          fmt::format("{}the planar shock has {}; the equation of state is valid to pressure_limit = {}",
+                      jobs_text(jobs, study_.scenes.size()), readable(highest, "Pa"), readable(limit, "Pa")));
   }
 
   bool is_given(std::string_view name) const {

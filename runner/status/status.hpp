@@ -18,7 +18,7 @@ struct RunStart {
   double predicted_seconds = 0;  ///< sum over the jobs to run, on one core
   unsigned workers = 1;
   std::int64_t damaged = 0;     ///< of jobs: were done, but files of theirs are missing or damaged
-  double predicted_factor = 1;  ///< 19 times out of 20 it is no more, and no less, than so many times that
+  double predicted_factor = 1;  ///< in 95 % of runs it is no more, and no less, than so many times that
   std::string study = {};       ///< its name, if there is one only
 };
 

@@ -40,7 +40,7 @@ struct Character {
 /// The character at the start of a text; a byte that is not UTF-8 stands for itself.
 Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::size_t bytes = byte(0) < 0x80 ? 1 : byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+  const std::size_t bytes = byte(0) < 0xC0 ? 1 : byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
   if (bytes == 1 || bytes > text.size()) return {byte(0), 1};
   std::uint32_t code = byte(0) & (0xFFu >> (bytes + 1));
   for (std::size_t i = 1; i < bytes; ++i) {
@@ -50,7 +50,41 @@ Character first_character(std::string_view text) {
   return {code, bytes};
 }
 
+bool is_control(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || (code >= 0x2028 && code <= 0x202E) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+std::string without_controls(std::string_view text, std::string_view kept) {
+  std::string shown;
+  while (!text.empty()) {
+    const Character c = first_character(text);
+    const std::string_view bytes = text.substr(0, c.bytes);
+    text.remove_prefix(c.bytes);
+    if (c.code == 0 && bytes[0] != '\0')
+      shown += "\\uFFFD";  // a character that is cut short
+    else if (!is_control(c.code) || kept.find(bytes) != std::string_view::npos)
+      shown += bytes;
+    else
+      shown += fmt::format("\\u{:04X}", c.code);
+  }
+  return shown;
+}
+
 }  // namespace
+
+std::string control_character(std::string_view text) {
+  while (!text.empty()) {
+    const Character c = first_character(text);
+    if (is_control(c.code)) return fmt::format("holds U+{:04X}, a control character", c.code);
+    text.remove_prefix(c.bytes);
+  }
+  return {};
+}
+
+std::string printable(std::string_view text) { return without_controls(text, ""); }
+
+std::string printable_lines(std::string_view text) { return without_controls(text, "\n\t"); }
 
 std::string odd_character(std::string_view text) {
   while (!text.empty()) {

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "runner/study/characters.hpp"
 #include "runner/study/decimal.hpp"
 #include "runner/study/study.hpp"
 
@@ -120,11 +121,12 @@ std::string Value::written() const {
   } else {
     text = "(a date or a time)";
   }
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  text = printable(text);
   constexpr std::size_t longest = 80;
-  if (text.size() > longest) text = text.substr(0, longest - 3) + "...";
-  return text;
+  if (text.size() <= longest) return text;
+  std::size_t end = longest - 3;
+  while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not within a character
+  return text.substr(0, end) + "...";
 }
 
 Table read_document(const std::filesystem::path& path) {

@@ -22,7 +22,7 @@ void Problems::add(const Place& place, std::string_view key, const Refusal& refu
 }
 
 void Problems::keep(const Place& place, std::string text) {
-  text = place.text() + ": " + text;
+  text = printable(place.text() + ": " + text);
   const auto same = [&](const Line& line) { return line.text == text; };
   if (std::none_of(lines_.begin(), lines_.end(), same)) lines_.push_back({place, std::move(text)});
 }

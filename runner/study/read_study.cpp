@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "runner/study/combine.hpp"
+#include "runner/study/decimal.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/overrides.hpp"
 #include "runner/study/quantity_text.hpp"
@@ -39,9 +41,13 @@ class Reader {
     std::optional<std::uint64_t> jobs;
     if (sweep) jobs = count_jobs(*sweep, swept, options_.most_jobs, top_, problems_);
     problems_.throw_if_any();
+    request_.units = study_.units;
+    request_.cells = study_.ladder.finds_cell ? 1 : options_.cells;
     study_.scenes = build_scenes(request_, Combinations(*sweep, swept, *jobs), problems_);
     problems_.throw_if_any();
     if (study_.search && study_.ladder.cells > 1) sweep_ladder();
+    check_figure_files(document_, study_.scenes.size(), problems_);
+    problems_.throw_if_any();
     return std::move(study_);
   }
 
@@ -68,16 +74,14 @@ class Reader {
     if (const auto name = required_string(document_, top_, "name", "the name of the study", problems_)) {
       study_.name = *name;
       if (!is_file_name(*name))
-        problems_.add("name", document_.find("name")->value,
-                      {"cannot be a study's name", "allowed: letters, digits, '-', '_' and '.'"});
+        problems_.add("name", document_.find("name")->value, {"cannot be a study's name", allowed_file_name});
       else if (name->ends_with("-audit"))
         problems_.add("name", document_.find("name")->value,
                       {"is kept for the runs that an audit of a search makes",
                        "allowed: a name that does not end in -audit"});
     }
     study_.title = study_.name;
-    if (document_.find("title"))
-      study_.title = required_string(document_, top_, "title", "a line of text", problems_).value_or("");
+    if (document_.find("title")) study_.title = required_title(document_, top_, problems_).value_or("");
     request_.place = top_;
     if (const auto name =
             required_string(document_, top_, "scene", listed(mpm::scene_kind_names()), problems_)) {
@@ -153,9 +157,14 @@ class Reader {
   }
 
   /// --cells: to 12 digits, as a file would say it.
-  void scale_cells(Axis& axis) const {
-    const auto scaled = [this](double value) {
-      return std::stod(fmt::format("{:.12g}", value * options_.cells));
+  void scale_cells(Axis& axis) {
+    const auto scaled = [&](double value) {
+      const double product = round_to_12_digits(value * options_.cells);
+      if (!std::isnormal(product) && value != 0)
+        problems_.add(
+            axis.value_place, axis.name(), axis.written,
+            {fmt::format("times --cells {} it is no cell", options_.cells), "allowed: a factor such as 0.5"});
+      return product;
     };
     if (axis.interval) {
       axis.interval->from = scaled(axis.interval->from);

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <map>
+#include <set>
 
 #include "libmpm/measure/results.hpp"
+#include "runner/study/characters.hpp"
 #include "runner/study/critical_names.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/quantity_text.hpp"
@@ -240,6 +244,17 @@ std::optional<std::string> required_string(const Table& table, const Place& plac
   return *text;
 }
 
+std::optional<std::string> required_title(const Table& table, const Place& place, Problems& problems) {
+  constexpr const char* what = "a line of text";
+  const auto title = required_string(table, place, "title", what, problems);
+  if (!title) return std::nullopt;
+  if (std::string wrong = control_character(*title); !wrong.empty()) {
+    problems.add("title", table.find("title")->value, {wrong, std::string("allowed: ") + what});
+    return std::nullopt;
+  }
+  return title;
+}
+
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext& context, Problems& problems) {
   std::vector<FitRequest> fits;
   for_each_table(document, "fit", problems, [&](const Entry& entry, const Table& table) {
@@ -260,13 +275,11 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
     figure.name =
         required_string(table, entry.place, "name", "the stem of a file name", problems).value_or("");
     if (!figure.name.empty() && !is_file_name(figure.name))
-      problems.add("name", table.find("name")->value,
-                   {"cannot be a file's name", "allowed: letters, digits, '-', '_' and '.'"});
+      problems.add("name", table.find("name")->value, {"cannot be a file's name", allowed_file_name});
     for (const FigureRequest& other : figures)
       if (!figure.name.empty() && other.name == figure.name)
         problems.add("name", table.find("name")->value, {"two figures of one name", "give each its own"});
-    if (table.find("title"))
-      figure.title = required_string(table, entry.place, "title", "a line of text", problems).value_or("");
+    if (table.find("title")) figure.title = required_title(table, entry.place, problems).value_or("");
     figure.kind = read_word(entry, table, "kind", "kind of figure", figure_kinds, problems);
     if (figure.kind == "history" && context.kind && !mpm::has_cavity(*context.kind))
       problems.add("kind", table.find("kind")->value,
@@ -302,6 +315,41 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
     figures.push_back(figure);
   });
   return figures;
+}
+
+void check_figure_files(const Table& document, std::size_t jobs, Problems& problems) {
+  const Entry* entry = document.find("figure");
+  const List* list = entry ? entry->value.list() : nullptr;
+  if (!list) return;
+  std::map<std::string, const Value*> names;  // of all figures, and of those of kind "fields" alone
+  std::set<std::string> fields;
+  for (const Value& one : *list) {
+    const Table* table = one.table();
+    const Entry *name = table->find("name"), *kind = table->find("kind");
+    names.emplace(*name->value.string(), &name->value);
+    if (*kind->value.string() == "fields") fields.insert(*name->value.string());
+  }
+  const auto refuse = [&](const std::string& file, const std::string& of) {
+    if (const auto other = names.find(file); other != names.end())
+      problems.add("name", *other->second,
+                   {fmt::format("{}.png is also a file of figure \"{}\", which has a file per job: NAME-1, "
+                                "NAME-2, ..., and each as NAME-1-grey, ...",
+                                file, of),
+                    "allowed: a name that is none of these"});
+  };
+  for (const std::string& name : fields) {
+    refuse(name + "-grey", name);  // without a number where one job is done only
+    for (const auto& [other, value] : names) {
+      // One of kind "fields" has a number at its end where this one has, and is another file.
+      if (fields.contains(other) || !other.starts_with(name + "-")) continue;
+      std::string_view rest = std::string_view(other).substr(name.size() + 1);
+      if (rest.ends_with("-grey")) rest.remove_suffix(5);
+      std::size_t number = 0;
+      const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+      const bool whole = error == std::errc() && end == rest.data() + rest.size() && rest[0] != '0';
+      if (whole && jobs > 1 && number <= jobs) refuse(other, name);
+    }
+  }
 }
 
 /// A width, not a place: units with a zero point of their own (degC) have no width.

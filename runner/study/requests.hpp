@@ -28,6 +28,10 @@ struct RequestContext {
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);
 std::vector<FigureRequest> read_figures(const Table& document, const RequestContext&, Problems&);
 
+/// Refuses two figures that would be one file: of kind "fields" each has NAME-1, NAME-2, ... (NAME where
+/// there is one job), and these with -grey. `document`: one whose figures have been read without a problem.
+void check_figure_files(const Table& document, std::size_t jobs, Problems&);
+
 /// Empty if there is no [search], or after adding problems.
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Problems&);
@@ -40,11 +44,15 @@ std::vector<std::string_view> results_with_interval(std::optional<mpm::SceneKind
 /// Empty if there is no [expect], or after adding problems.
 std::optional<Expectation> read_expectation(const Table& document, const Units&, Problems&);
 
-/// A name that can be a file's: letters, digits, '-', '_', '.', not first a '.'.
+/// A name that can be a file's.
 bool is_file_name(std::string_view);
+inline constexpr const char* allowed_file_name =
+    "allowed: up to 100 letters, digits, '-', '_' and '.', not first a '.'";
 
 /// A string that must be there. Empty after adding a problem.
 std::optional<std::string> required_string(const Table&, const Place&, std::string_view key,
                                            std::string_view what, Problems&);
+/// A string that is shown on terminals, pages and figures: without control characters.
+std::optional<std::string> required_title(const Table&, const Place&, Problems&);
 
 }  // namespace mpmstudy

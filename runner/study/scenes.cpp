@@ -1,11 +1,14 @@
 #include "runner/study/scenes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "libmpm/scene/effect.hpp"
 #include "runner/study/decimal.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/readable.hpp"
+#include "runner/study/written_unit.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -71,18 +74,25 @@ class Reporter {
     for (const Point& snapshot : request_.snapshots)
       if (snapshot.value > scene.end_time) {
         bad = true;
-        problems_.add(
-            snapshot.place, "snapshots", readable(snapshot.value, "s"),
-            {"after the end of the run", "allowed: up to end_time = " + readable(scene.end_time, "s")});
+        const auto text = [&](double time) { return in_written_unit(time, "s", "end_time", request_.units); };
+        problems_.add(snapshot.place, "snapshots", text(snapshot.value),
+                      {"after the end of the run", "allowed: up to end_time = " + text(scene.end_time)});
       }
     for (const mpm::Problem& problem : mpm::find_problems(scene)) {
       bad = true;
       const Assignment* source = source_of(problem.parameter);
       const bool as_written =
           source && source->column == not_swept && source->axis->name() == problem.parameter;
+      const bool scaled = source && problem.parameter == "cell_size" && request_.cells != 1;
+      const std::string value = in_file_units(problem.value, problem.parameter);
+      std::string written = as_written ? source->axis->written : value;
+      std::string wrong = "cannot be run";
+      if (scaled) {
+        if (!as_written) written = of_the_file(scene.numerics.cell_size);
+        wrong += fmt::format(": times --cells {} it is {}", request_.cells, value);
+      }
       problems_.add(source ? source->point(combinations_, job).place : request_.place, problem.parameter,
-                    as_written ? source->axis->written : problem.value,
-                    {"cannot be run", "allowed: " + problem.allowed});
+                    written, {wrong, "allowed: " + in_file_units(problem.allowed, problem.parameter)});
     }
     return bad || check_ladder(scene);
   }
@@ -96,10 +106,19 @@ class Reporter {
     const auto wrong = mpm::find_problems(scene);
     for (const mpm::Problem& problem : wrong)
       problems_.add(request_.ladder_place, "ladder", std::to_string(ladder.cells),
-                    {"makes a cell of " + readable(cell, "m"),
+                    {"makes a cell of " + in_written_unit(cell, "m", "cell_size", request_.units) +
+                         (request_.cells == 1 ? "" : fmt::format(", with --cells {}", request_.cells)),
                      "allowed: fewer cells, or a cell_size whose ladder keeps " + problem.parameter + " " +
-                         problem.allowed});
+                         in_file_units(problem.allowed, problem.parameter)});
     return !wrong.empty();
+  }
+
+  std::string in_file_units(const std::string& message, const std::string& parameter) const {
+    return in_written_units(message, parameter, request_.units);
+  }
+  /// The cell that --cells has made this one of.
+  std::string of_the_file(double cell) const {
+    return in_written_unit(cell / request_.cells, "m", "cell_size", request_.units);
   }
 
   /// What the file says of a parameter, or of its alternative. Null: nothing, it is a default.
@@ -135,7 +154,9 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
       const Number number = in_range(point.value, {row.unit, row.range});
       if (const auto* refusal = std::get_if<Refusal>(&number))
         problems.add(point.place, row.name, one.axis->written,
-                     {"makes " + shortest_text(point.value) + ", " + refusal->wrong, refusal->allowed});
+                     {"makes " + in_written_unit(point.value, row.unit, row.name, request.units) + ", " +
+                          refusal->wrong,
+                      refusal->allowed});
     }
   }
   if (!problems.empty()) return {};

@@ -8,6 +8,7 @@
 #include "runner/study/combine.hpp"
 #include "runner/study/ladder_request.hpp"
 #include "runner/study/problems.hpp"
+#include "runner/study/study.hpp"
 
 namespace mpmstudy {
 
@@ -18,7 +19,9 @@ struct SceneRequest {
   std::vector<Axis> axes;        ///< in the order of the file
   std::vector<Point> snapshots;  ///< [s]
   bool seeks_ejection =
-      false;  ///< of a [search]: runs decide ejection and end then, unless the file says more
+      false;           ///< of a [search]: runs decide ejection and end then, unless the file says more
+  WrittenUnits units;  ///< of what the file gives, for messages
+  double cells = 1;    ///< --cells: cell_size of the axes is that of the file times this
   LadderRequest ladder;
   Place ladder_place;  ///< of its key
   Place place;         ///< of `scene`, for problems with values that the file does not name

@@ -69,6 +69,8 @@ struct WrittenUnit {
   double slope = 1, offset = 0;
 };
 
+using WrittenUnits = std::map<std::string, WrittenUnit>;  ///< by name of the quantity
+
 struct Study {
   std::filesystem::path path;
   std::string name;
@@ -77,12 +79,11 @@ struct Study {
   std::vector<std::string> swept;   ///< names of the swept quantities and choices, in file order
   std::vector<std::string> given;   ///< names of everything the file sets, swept or not; the rest is default
   std::vector<std::string> places;  ///< of given, where each is said: "studies/a.toml:12:16", "--set"
-  std::map<std::string, WrittenUnit>
-      units;                       ///< by name, of what is given with a unit and of what is searched
-  std::vector<mpm::Scene> scenes;  ///< one per job, in the order of the sweep, every one without problems
-  LadderRequest ladder;            ///< under every scene, whose cell is one end of it
-  std::string material_place;      ///< where the material is named; its constants stand for what is not given
-  std::string ladder_place;        ///< where more than one cell is asked for; "": nowhere
+  WrittenUnits units;               ///< of what is given with a unit and of what is searched
+  std::vector<mpm::Scene> scenes;   ///< one per job, in the order of the sweep, every one without problems
+  LadderRequest ladder;             ///< under every scene, whose cell is one end of it
+  std::string material_place;  ///< where the material is named; its constants stand for what is not given
+  std::string ladder_place;    ///< where more than one cell is asked for; "": nowhere
   std::optional<SearchRequest> search;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;

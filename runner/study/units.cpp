@@ -25,7 +25,8 @@ using Converter = std::unique_ptr<cv_converter, FreeConverter>;
 bool is_plain(std::string_view unit) {
   char before = ' ';
   for (const char c : unit) {
-    if (c == '@') return false;
+    if (c == '@' || std::iscntrl(static_cast<unsigned char>(c)))
+      return false;  // it prints those that it refuses
     if (std::isdigit(static_cast<unsigned char>(c))) {
       const bool exponent =
           std::isalnum(static_cast<unsigned char>(before)) || before == '^' || before == '-' || before == '+';

@@ -121,6 +121,26 @@ TEST(BadInput, CommandLines) {
       {"check", "FILE is required"},
       {"plan good.toml -j 0", "--jobs: Value 0 not in range"},
       {"check good.toml --cells 0", "--cells: a factor is a number above 0, such as 0.5; not 0"},
+      {"run good.toml --results ''", "--results: is empty; name a folder"},
+      {"run good.toml good.toml", "good.toml: is given twice"},
+      {"retry ''", "KEY: is empty"},
+      {"check good.toml --cells 20",
+       "good.toml:13:13: cell_size = \"0.1 um\": cannot be run: times --cells 20 it is 2 um; allowed: at "
+       "most an "
+       "eighth of block_width (1.25 um)\n"},
+      {"check good.toml --cells 20 --set cell_size='[\"50 nm\", \"100 nm\"]'",
+       "--set: cell_size = 100 nm: cannot be run: times --cells 20 it is 2000 nm; allowed: at most an eighth "
+       "of "
+       "block_width (1250 nm)\n"},
+      {"check good.toml --cells 2 --set ladder=9",
+       "--set: ladder = 9: makes a cell of 3.2 um, with --cells 2; allowed: fewer cells, or a cell_size "
+       "whose "
+       "ladder keeps cell_size at most an eighth of block_width (1.25 um)\n"},
+      {"check good.toml --cells 1e-310",
+       "good.toml:13:13: cell_size = \"0.1 um\": times --cells 1e-310 it is no"},
+      {"check good.toml --set title='a\x1b[31mb'",
+       "--set: title = \"a\\u001B[31mb\": holds U+001B, a control character; allowed: a line of text\n"},
+      {"check good.toml --set 'cell\x9b\x1b=1'", "--set: cell\\u009B\\u001B = 1: unknown key"},
       {"check good.toml --cells inf", "--cells: a factor is a number above 0"},
       {"check good.toml --set impact_speed='200\u00a0m/s'",
        "--set: impact_speed = \"200\u00a0m/s\": '\u00a0m/s' is not a unit (it holds U+00A0, a no-break "

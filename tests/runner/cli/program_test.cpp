@@ -69,15 +69,19 @@ TEST_F(Program, a_study_of_another_file_is_named) {
   const auto other = folder.path() / "other.toml";
   fs::copy_file(smoke, other);
   ASSERT_EQ(run({"run", smoke, "--results", results, "-q"}), 0) << output;
-  EXPECT_THAT(output, testing::Not(HasSubstr("warning")));
-  ASSERT_EQ(run({"run", other.string(), "--results", results, "-q"}), 0) << output;
-  EXPECT_THAT(output,
-              HasSubstr("warning: " + other.string() + ": study \"smoke\" was last run from " + smoke));
+  EXPECT_THAT(output, testing::Not(HasSubstr("the place of")));
+  const std::string named = " the place of the study of this name that was run before from " + smoke;
+  ASSERT_EQ(run({"run", "-n", other.string(), "--results", results, "-q"}), 0) << output;
+  EXPECT_THAT(output, HasSubstr("smoke: would take" + named + "; `--set name=...` keeps both\n"));
+  ASSERT_EQ(run({"run", other.string(), "--results", results, "-q", "--set", "cavity_radius=1.5 um"}), 0)
+      << output;
+  EXPECT_THAT(output, HasSubstr("smoke: takes" + named + ": "));
+  EXPECT_EQ(output.find("the place of"), output.rfind("the place of")) << output;  // said once
   // The same file by another way is the same.
   const auto link = folder.path() / "link.toml";
   fs::create_symlink(other, link);
   ASSERT_EQ(run({"run", link.string(), "--results", results, "-q"}), 0) << output;
-  EXPECT_THAT(output, testing::Not(HasSubstr("warning")));
+  EXPECT_THAT(output, testing::Not(HasSubstr("run before from")));
 }
 
 TEST_F(Program, any_number_of_workers_gives_the_same_rows) {

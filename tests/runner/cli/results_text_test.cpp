@@ -167,6 +167,21 @@ TEST_F(ResultsText, coarser_cells_that_failed_are_said) {
                             "cell_size = 1 um\n"));
 }
 
+TEST_F(ResultsText, a_name_has_its_unit_below_and_an_interval_too) {
+  write("[\"1 um\", \"2 um\"]",
+        "[[fit]]\nx = \"cavity_radius\"\ny = \"final_area_m2\"\nmodel = \"linear\"\n");
+  simulate = [](const mpm::Scene& s, mpm::Observer& o) {
+    auto result = fakes::simulate(s, o);
+    result.final_area = s.cavity_radius * 1e-6;
+    result.final_area_error = 1e-14;
+    return result;
+  };
+  EXPECT_EQ(run(), 0);
+  EXPECT_THAT(table(),
+              ContainsRegex("cavity_radius +collapsibility +final_area +\\+- +outcome\n +um +µm² +µm²\n"));
+  EXPECT_THAT(table(), ContainsRegex("  [0-9a-f]{12} +1 +[^ ]+ +1 +0.01 "));
+}
+
 TEST_F(ResultsText, values_that_round_alike_stay_apart) {
   write("\"1 um\"", "", "[\"1500.001 m/s\", \"1500.002 m/s\"]");
   EXPECT_EQ(run(), 0);

@@ -103,6 +103,11 @@ TEST_F(Forms, RunSaysWhatItReplaces) {
   EXPECT_THAT(printed, Not(HasSubstr("takes the place")));
   ASSERT_EQ(run("run -q " + t, printed), 0) << printed;
   EXPECT_THAT(printed, Not(HasSubstr("takes the place")));
+  ASSERT_EQ(run("run -n --set 'impact_speed=300 m/s' " + t, printed), 0) << printed;
+  EXPECT_THAT(printed,
+              HasSubstr("t: would take the place of the study of this name that was run before as its "
+                        "file is: 2 done jobs would leave it, and its fits and figures would be "
+                        "replaced; "));
   ASSERT_EQ(run("run -q --set 'impact_speed=300 m/s' " + t, printed), 0) << printed;
   EXPECT_THAT(printed,
               HasSubstr("t: takes the place of the study of this name that was run before as its file "
@@ -132,6 +137,25 @@ TEST_F(Forms, AClaimIsNotJudgedOnAFileThatOnlyBearsTheName) {
   run("report " + mine, printed);
   EXPECT_THAT(first("SELECT verdict || ': ' || measured FROM claims WHERE name = 'incomplete-collapse'"),
               testing::ContainsRegex("^not run: .*weak-collapse.toml has .* in place of "));
+}
+
+TEST_F(Forms, AReportHasTheClaimsOfItsStudiesOnly) {
+  const std::string mine = write("T.toml", study_text("t")).string();
+  const std::string planar = std::string(SOURCE_DIR) + "/studies/planar-impact.toml";
+  ASSERT_EQ(run("run -q " + mine, printed), 0) << printed;
+  for (const std::string files : {"", mine.c_str()}) {
+    EXPECT_EQ(run("report " + files, printed), 0) << printed;
+    EXPECT_THAT(printed, Not(HasSubstr("not run")));
+    EXPECT_THAT(printed, HasSubstr("the paper claims nothing of t\n"));
+  }
+  ASSERT_EQ(run("run -q --cells 2 " + planar, printed), 0) << printed;
+  EXPECT_EQ(run("report " + mine + " " + planar, printed), 0) << printed;
+  EXPECT_THAT(printed, HasSubstr("(planar-impact)"));
+  EXPECT_THAT(printed, Not(HasSubstr("weak-collapse")));
+  EXPECT_THAT(printed, HasSubstr("the paper claims nothing of t\n"));
+  EXPECT_EQ(run("report " + mine, printed), 0) << printed;
+  EXPECT_THAT(printed, Not(HasSubstr("planar-impact")));
+  EXPECT_EQ(first("SELECT count(*) || '' FROM claims"), "18");  // all, whatever is shown
 }
 
 TEST_F(Forms, AClaimIsJudgedOnOtherCells) {
@@ -180,9 +204,8 @@ TEST_F(Forms, FiguresOfAStudyThatWouldBeOneFileAreRefused) {
                           "\"p\"\nkind = \"fields\"\ny = \"pressure\"\n[[figure]]\nname = "
                           "\"p-1\"\nkind = \"history\"\n")
           .string();
-  EXPECT_EQ(run("run -q " + t, printed), 1);
-  EXPECT_THAT(printed, HasSubstr("two figures are"));
-  EXPECT_THAT(printed, HasSubstr("p-1.png"));
+  EXPECT_EQ(run("run -q " + t, printed), 2);  // before any job
+  EXPECT_THAT(printed, HasSubstr("name = \"p-1\": p-1.png is also a file of figure \"p\""));
 }
 
 }  // namespace
