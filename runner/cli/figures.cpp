@@ -28,6 +28,8 @@ int run_figures(const FiguresOptions& options) {
   for (const StudyForm& form : forms_of(options.files, options.study, options.results, all_there)) {
     const Study study = read_study(form.path, form.options);
     const StudyResults results = read_results(study, options.results);
+    if (study.figures.empty() && !options.files.empty())
+      fmt::print(stderr, "{}: its file asks for no figure ([[figure]])\n", study.name);
     const auto drawn = draw_figures(study, results);
     for (const auto& path : drawn) fmt::print("{}\n", path.string());
     for (const std::string& line : not_drawn(study, drawn, options.results)) {

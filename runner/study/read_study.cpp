@@ -5,6 +5,7 @@
 
 #include "runner/study/combine.hpp"
 #include "runner/study/decimal.hpp"
+#include "runner/study/figure_files.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/overrides.hpp"
 #include "runner/study/quantity_text.hpp"
@@ -244,6 +245,9 @@ class Reader {
   void place_search() {
     const std::string& name = study_.search->critical;
     const Table& search = *table("search");
+    if (name == "cell_size" && options_.cells != 1)
+      study_.warnings.push_back(search.find("critical")->value.place.text() +
+                                ": --cells has no effect: cell_size is looked for");
     if (says(name)) {
       problems_.add("critical", search.find("critical")->value,
                     {"is looked for and given", "remove " + name + " from the file, or [search]"});

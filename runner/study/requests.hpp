@@ -28,10 +28,6 @@ struct RequestContext {
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);
 std::vector<FigureRequest> read_figures(const Table& document, const RequestContext&, Problems&);
 
-/// Refuses two figures that would be one file: of kind "fields" each has NAME-1, NAME-2, ... (NAME where
-/// there is one job), and these with -grey. `document`: one whose figures have been read without a problem.
-void check_figure_files(const Table& document, std::size_t jobs, Problems&);
-
 /// Empty if there is no [search], or after adding problems.
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Problems&);

@@ -1,6 +1,7 @@
 #include "runner/study/schema.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace mpmstudy {
 namespace {
@@ -143,11 +144,23 @@ void check_keys(const Table& entries, std::string_view table, std::optional<mpm:
   }
 }
 
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string small(text);
+  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+  return small;
+}
+
+}  // namespace
+
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
   std::string_view best;
   std::size_t smallest = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
+    // IMPACT_SPEED is one slip, not twelve.
+    const std::size_t distance =
+        lower(word) == lower(candidate) ? word != candidate : edit_distance(word, candidate);
     if (distance < smallest) {
       smallest = distance;
       best = candidate;

@@ -123,6 +123,7 @@ TEST(BadInput, CommandLines) {
       {"check good.toml --cells 0", "--cells: a factor is a number above 0, such as 0.5; not 0"},
       {"run good.toml --results ''", "--results: is empty; name a folder"},
       {"run good.toml good.toml", "good.toml: is given twice"},
+      {"check good.toml --set MATERIAL=x", "--set: MATERIAL = x: unknown key; did you mean material?"},
       {"retry ''", "KEY: is empty"},
       {"check good.toml --cells 20",
        "good.toml:13:13: cell_size = \"0.1 um\": cannot be run: times --cells 20 it is 2 um; allowed: at "

@@ -118,6 +118,12 @@ TEST(Warnings, AScaleOfCellsThatAreNotGiven) {
   EXPECT_THAT(warnings(study_text({}, "[numerics]\naccuracy = \"1 %\"\n"), options),
               ElementsAre(HasSubstr("--cells has no effect")));
   EXPECT_THAT(warnings(study_text(), options), IsEmpty());
+  const std::string searched = study_text({},
+                                          "[numerics]\n[search]\ncritical = \"cell_size\"\noutcome = "
+                                          "\"collapsed\"\nbetween = [\"0.1 um\", \"0.4 um\"]\n"
+                                          "tolerance = \"0.1 um\"\n");
+  EXPECT_THAT(warnings(searched, options),
+              ElementsAre(HasSubstr("--cells has no effect: cell_size is looked")));
 }
 
 TEST(Resources, GrowWithParticlesAndWorkers) {
