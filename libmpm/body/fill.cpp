@@ -66,17 +66,20 @@ void refuse_overlap(const State& s, std::size_t first, const Vec2& share) {
   const Particles& ps = s.particles;
   for (std::size_t p = 0; p < ps.size(); ++p) {
     double& volume = filled[share_at(s, share, ps.position[p])];
-    if (p >= first && volume + ps.volume(p) > 1.01 * share.x() * share.y())
+    if (p >= first && volume + area(s, p) > 1.01 * share.x() * share.y())
       throw InputError("two bodies overlap at x = " + std::to_string(ps.position[p].x() * 1e6) + " um, y = " +
                        std::to_string(ps.position[p].y() * 1e6) + " um: take one region from the other");
-    volume += ps.volume(p);
+    volume += area(s, p);
   }
 }
 
 }  // namespace
 
-State empty_state(Vec2 low, Vec2 cell, int columns, Floor floor) {
-  return {{}, Grid(low, cell, columns), {}, 0, 0, floor};
+State empty_state(Vec2 low, Vec2 cell, int columns, Floor floor, Space space) {
+  if (space == Space::axisymmetric && low.x() != 0)
+    throw InputError("in axisymmetry the left side of the grid is the axis, x = 0; not " +
+                     std::to_string(low.x()) + " m");
+  return {{}, Grid(low, cell, columns), {}, 0, 0, floor, space};
 }
 
 void fill_rows(State& s, const Body& body, double density, int particles_per_edge, int first, int last) {
@@ -91,7 +94,9 @@ void fill_rows(State& s, const Body& body, double density, int particles_per_edg
       if (r.fraction < smallest_fraction) continue;
       const double volume = r.fraction * (share.x() * share.y());
       const Vec2 position = r.fraction == 1 ? center : Vec2(body.place + r.centroid);
-      s.particles.add(position, body.velocity(r.centroid), density * volume, volume,
+      // integral of the radius over an area: the area times the radius of its centroid
+      const double radius = s.space == Space::axisymmetric ? position.x() : 1;
+      s.particles.add(position, body.velocity(r.centroid), density * (volume * radius), volume * radius,
                       0.5 * std::sqrt(r.fraction) * share);
     }
   s.velocity_gradient.assign(s.particles.size(), Mat2::Zero());

@@ -19,7 +19,9 @@ struct Body {
 
 /// Nothing yet, on a grid whose lower left corner is `low`, `columns` cells of `cell` (hx, hy) wide and as
 /// high as its bodies need. Its left and right sides are mirrors; `floor` says what its lower side is.
-State empty_state(Vec2 low, Vec2 cell, int columns, Floor floor = Floor::impact_wall);
+/// Throws InputError where the left side is not the axis of an axisymmetric space, x = 0.
+State empty_state(Vec2 low, Vec2 cell, int columns, Floor floor = Floor::impact_wall,
+                  Space space = Space::plane_strain);
 
 /// Adds the particles of a body, on a square lattice of particles_per_cell, at the density of rest. A
 /// particle whose share of the lattice the rim cuts gets the mass and the centroid of what is left of it;

@@ -12,8 +12,8 @@ namespace mpm {
 struct Particles {
   std::vector<Vec2> position;          ///< [m]
   std::vector<Vec2> velocity;          ///< [m/s]
-  std::vector<double> mass;            ///< per depth [kg/m], constant
-  std::vector<double> initial_volume;  ///< per depth, at the reference density [m^2], constant
+  std::vector<double> mass;            ///< per depth [kg/m], in axisymmetry per radian [kg]; constant
+  std::vector<double> initial_volume;  ///< at the reference density: mass / density; constant
   std::vector<double> dilation;  ///< J - 1 = rho0/rho - 1 [1], at most MieGrueneisen::most_dilation; small
                                  ///< strains keep their digits
   std::vector<double> energy;    ///< specific internal energy, carried at half steps (see step.hpp) [J/kg]
@@ -32,8 +32,10 @@ struct Particles {
   std::vector<double> affine_energy;
 
   std::size_t size() const { return position.size(); }
-  double density(std::size_t p) const { return mass[p] / volume(p); }                   ///< [kg/m^3]
-  double volume(std::size_t p) const { return initial_volume[p] * (1 + dilation[p]); }  ///< [m^2]
+  double density(std::size_t p) const { return mass[p] / volume(p); }  ///< [kg/m^3]
+  double volume(std::size_t p) const {
+    return initial_volume[p] * (1 + dilation[p]);
+  }  ///< [m^2], per radian [m^3]
 
   /// Kinetic energy of a particle [J/m].
   double kinetic_energy(std::size_t p) const {

@@ -1,6 +1,6 @@
 #pragma once
-/// Symmetric tensors of plane strain over any number (core/number.hpp). A model uses them by the functions
-/// below and asks for no component, so that it does not depend on the dimension.
+/// Symmetric tensors over any number (core/number.hpp), whose components xz and yz are 0. A model uses them
+/// by the functions below and asks for no component, so that it does not depend on the space.
 #include "libmpm/core/number.hpp"
 
 namespace mpm {
@@ -13,8 +13,15 @@ struct Gradient {
 
 /// A strain over a step, with zz = 0.
 template <class N>
-struct PlaneStrain {
+struct PlaneIncrement {
   N xx, yy, xy;
+};
+
+/// A strain over a step, with zz along the hoop.
+template <class N>
+struct AxialIncrement {
+  N xx, yy, xy;
+  N zz{};
 };
 
 /// A tensor without trace: zz = -(xx + yy).
@@ -30,13 +37,22 @@ struct PlaneRotation {
 };
 
 template <class N>
-MPM_INLINE N trace(const PlaneStrain<N>& e) {
+MPM_INLINE N trace(const PlaneIncrement<N>& e) {
   return e.xx + e.yy;
+}
+template <class N>
+MPM_INLINE N trace(const AxialIncrement<N>& e) {
+  return e.xx + e.yy + e.zz;
 }
 
 template <class N>
-MPM_INLINE Deviator<N> deviator(const PlaneStrain<N>& e) {
+MPM_INLINE Deviator<N> deviator(const PlaneIncrement<N>& e) {
   const N mean = (e.xx + e.yy) * Scalar<N>(1.0 / 3.0);
+  return {e.xx - mean, e.yy - mean, e.xy};
+}
+template <class N>
+MPM_INLINE Deviator<N> deviator(const AxialIncrement<N>& e) {
+  const N mean = trace(e) * Scalar<N>(1.0 / 3.0);
   return {e.xx - mean, e.yy - mean, e.xy};
 }
 
@@ -68,8 +84,12 @@ MPM_INLINE N contract(const Deviator<N>& a, const Deviator<N>& b) {
   return 2 * (a.xx * b.xx + a.yy * b.yy) + a.xx * b.yy + a.yy * b.xx + 2 * (a.xy * b.xy);
 }
 template <class N>
-MPM_INLINE N contract(const Deviator<N>& a, const PlaneStrain<N>& e) {
+MPM_INLINE N contract(const Deviator<N>& a, const PlaneIncrement<N>& e) {
   return a.xx * e.xx + a.yy * e.yy + 2 * (a.xy * e.xy);
+}
+template <class N>
+MPM_INLINE N contract(const Deviator<N>& a, const AxialIncrement<N>& e) {
+  return a.xx * (e.xx - e.zz) + a.yy * (e.yy - e.zz) + 2 * (a.xy * e.xy);
 }
 
 /// R a R^T

@@ -14,13 +14,15 @@
 #include <limits>
 
 #include "libmpm/core/symmetric.hpp"
+#include "libmpm/space/space.hpp"
 
 namespace mpm {
 
 /// The motion of a particle over a step, seen from its middle.
-template <class N>
+template <class N, class Space = space::PlaneStrain>
 struct Strain {
-  PlaneStrain<N> rate;        ///< dt D
+  using Increment = typename Space::template Increment<N>;
+  Increment rate;             ///< dt D
   PlaneRotation<N> rotation;  ///< of the spin, by the midpoint rule: Hughes & Winget 1980
   N compression;              ///< mu = rho / rho0 - 1 at the end of the step
   N divisor;                  ///< 1 / (1 + implicit(J - 1, tr(dt D)))
@@ -51,8 +53,8 @@ struct Validity {
   Real pressure_limit;                 ///< [Pa]
 };
 
-template <class M, class N>
-concept MaterialModelOver = requires(const M m, const Point<N>& point, const Strain<N>& strain, N n,
+template <class M, class N, class S = space::PlaneStrain>
+concept MaterialModelOver = requires(const M m, const Point<N>& point, const Strain<N, S>& strain, N n,
                                      Scalar<N> dt) {
   { m.validity() } -> std::same_as<Validity<Scalar<N>>>;
   /// implicit(J - 1, theta), linear in theta: what the work over the step of the pressure at its end, P theta
@@ -67,12 +69,15 @@ concept MaterialModelOver = requires(const M m, const Point<N>& point, const Str
 /// Density and motion from dt L = l:
 ///   J <- J det(1 + l), at most the model's tenfold;   D, W: parts of l (1 + l/2)^-1, the middle of the step.
 /// One division for four: divisions are slow, and these numbers are all near 1.
-template <class N, class Model>
-MPM_INLINE Strain<N> strain_over(N& dilation_column, const Gradient<N>& l, const Model& model) {
+/// `hoop`: dt L_zz, in a space that has it.
+template <class N, class Space = space::PlaneStrain, class Model>
+MPM_INLINE Strain<N, Space> strain_over(N& dilation_column, const Gradient<N>& l, const Model& model,
+                                        [[maybe_unused]] N hoop = N{}) {
   using R = Scalar<N>;
   using F = Number<N>;
   // det(1 + l) - 1 without the 1, so that small dilations keep their digits
-  const N growth = (l.xx + l.yy) + (l.xx * l.yy - l.xy * l.yx);
+  N growth = (l.xx + l.yy) + (l.xx * l.yy - l.xy * l.yx);
+  if constexpr (Space::has_hoop) growth += hoop * (1 + growth);
   // the second of smaller() wins where it is not a number
   const N dilation =
       F::smaller(F::all(model.validity().most_dilation), dilation_column + (1 + dilation_column) * growth);
@@ -87,13 +92,22 @@ MPM_INLINE Strain<N> strain_over(N& dilation_column, const Gradient<N>& l, const
   // the rotation of the spin w: tan(w/2) = turn / det
   const N turn = R(0.25) * (yx_det - xy_det);
   const N det_square = det * det, turn_square = turn * turn, norm = det_square + turn_square;
-  const N implicit = model.implicit(dilation, xx_det + yy_det) + det;  // 1 / divisor, times det
+  N theta_det = xx_det + yy_det;
+  [[maybe_unused]] N zz{};
+  if constexpr (Space::has_hoop) {
+    zz = hoop / (1 + R(0.5) * hoop);
+    theta_det += zz * det;
+  }
+  const N implicit = model.implicit(dilation, theta_det) + det;  // 1 / divisor, times det
 
   const N ratio_det = ratio * det, norm_implicit = norm * implicit;
   const N inverse_all = 1 / (ratio_det * norm_implicit);
   const N inverse_first = inverse_all * norm_implicit, inverse_second = inverse_all * ratio_det;
   const N inverse_det = inverse_first * ratio, inverse_norm = inverse_second * implicit;
-  return {{xx_det * inverse_det, yy_det * inverse_det, R(0.5) * (xy_det + yx_det) * inverse_det},
+  typename Strain<N, Space>::Increment rate{xx_det * inverse_det, yy_det * inverse_det,
+                                            R(0.5) * (xy_det + yx_det) * inverse_det};
+  if constexpr (Space::has_hoop) rate.zz = zz;
+  return {rate,
           {(det_square - turn_square) * inverse_norm, (turn + turn) * det * inverse_norm},
           -dilation * (inverse_first * det),
           det * (inverse_second * norm)};

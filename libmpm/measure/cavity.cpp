@@ -21,18 +21,19 @@ constexpr double window = 0.25;  ///< share of the run that counts as its end
 
 Cavity::Cavity(const Scene& s, const State& state, bool open_below)
     : open_below_(open_below),
+      axisymmetric_(state.space == Space::axisymmetric),
       contour_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.cell_size,
                s.numerics.symmetry == Symmetry::half),
       void_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,
             s.numerics.particles_per_cell),
       jet_(s),
       initial_offset_(contour_.centroid().y() - center_of_mass_height(state.particles)),
-      smallest_area_(contour_.area()),
-      smallest_sample_(smallest_area_) {}
+      smallest_size_(contour_size()),
+      smallest_sample_(smallest_size_) {}
 
 void Cavity::after_step(const State& s, const StepReport&, double dt) {
   contour_.advance(s.grid, dt);
-  if (crossed_time_ < 0) smallest_area_ = std::min(smallest_area_, std::max(contour_.area(), 0.0));
+  if (crossed_time_ < 0) smallest_size_ = std::min(smallest_size_, std::max(contour_size(), 0.0));
 }
 
 bool Cavity::joined_outside() const {
@@ -52,46 +53,65 @@ void Cavity::sample(const State& s, Observer& observer) {
   most_new_ = std::max(most_new_, others);
   if (others > 0 && new_time_ < 0) new_time_ = s.time;
   jet_.sample(s, contour_);
-  if (crossed_time_ < 0 && now.area < smallest_sample_) {
-    smallest_sample_ = now.area;
-    smallest_difference_ = std::abs(now.void_area - now.area);
+  const Size size = axisymmetric_ ? Size{contour_size(), void_.volume()} : Size{now.area, now.void_area};
+  if (crossed_time_ < 0 && size.contour < smallest_sample_) {
+    smallest_sample_ = size.contour;
+    smallest_difference_ = std::abs(size.empty - size.contour);
   }
   history_.push_back(now);
+  sizes_.push_back(size);
   observer.on_area(now);
+}
+
+/// What is left of a history: its mean from a time on, the scatter, and by how much the void is larger.
+struct Cavity::Ending {
+  double mean, scatter, difference;
+  double error() const { return std::hypot(scatter, difference); }
+};
+
+Cavity::Ending Cavity::ending(double start, const std::vector<Size>& sizes) const {
+  const auto size_at = [&](std::size_t k) {
+    return crossed_time_ >= 0 && history_[k].time >= crossed_time_ ? sizes[k].empty : sizes[k].contour;
+  };
+  double count = 0, sum = 0, sum_of_squares = 0, difference = 0;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (history_[k].time < start) continue;
+    ++count;
+    sum += size_at(k);
+    difference += sizes[k].empty - sizes[k].contour;
+  }
+  const double mean = sum / count;
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    if (history_[k].time >= start) sum_of_squares += (size_at(k) - mean) * (size_at(k) - mean);
+  return {mean, std::sqrt(sum_of_squares / count), difference / count};
 }
 
 void Cavity::finish(const State& s, RunResult& result) const {
   // the last sample, if a run that was stopped has none in the window
   const double start = std::min((1 - window) * s.time, history_.back().time);
-  const auto area_of = [this](const AreaSample& a) {
-    return crossed_time_ >= 0 && a.time >= crossed_time_ ? a.void_area : a.area;
-  };
-  double count = 0, sum = 0, sum_of_squares = 0, difference = 0;
-  for (const AreaSample& a : history_) {
-    if (a.time < start) continue;
-    ++count;
-    sum += area_of(a);
-    difference += a.void_area - a.area;
-  }
-  const double final_area = sum / count;
-  for (const AreaSample& a : history_)
-    if (a.time >= start) sum_of_squares += (area_of(a) - final_area) * (area_of(a) - final_area);
-  const double scatter = std::sqrt(sum_of_squares / count);
-  const double error = std::hypot(scatter, difference / count);
-  const double initial_area = history_.front().area;
+  std::vector<Size> areas;
+  for (const AreaSample& a : history_) areas.push_back({a.area, a.void_area});
+  const Ending area = ending(start, areas), size = axisymmetric_ ? ending(start, sizes_) : area;
+  const double initial = sizes_.front().contour;
 
-  result.initial_area = initial_area;
-  result.final_area = final_area;
-  result.final_area_error = error;
-  result.collapsibility = (initial_area - final_area) / initial_area;
-  result.collapsibility_error = error / initial_area;
+  result.initial_area = history_.front().area;
+  result.final_area = area.mean;
+  result.final_area_error = area.error();
+  result.collapsibility = (initial - size.mean) / initial;
+  result.collapsibility_error = size.error() / initial;
   result.outcome = history_.back().void_area == 0 ? "collapsed" : "partial";
 
   auto& m = result.metrics;
-  m.push_back({"final_area_scatter_m2", scatter, "m2", {}});
-  m.push_back({"final_area_difference_m2", std::abs(difference / count), "m2", {}});
-  m.push_back({"largest_collapsibility", (initial_area - smallest_area_) / initial_area, "1",
-               smallest_difference_ / initial_area});
+  m.push_back({"final_area_scatter_m2", area.scatter, "m2", {}});
+  m.push_back({"final_area_difference_m2", std::abs(area.difference), "m2", {}});
+  if (axisymmetric_) {
+    m.push_back({"initial_volume_m3", initial, "m3", {}});
+    m.push_back({"final_volume_m3", size.mean, "m3", size.error()});
+    m.push_back({"final_volume_scatter_m3", size.scatter, "m3", {}});
+    m.push_back({"final_volume_difference_m3", std::abs(size.difference), "m3", {}});
+  }
+  m.push_back(
+      {"largest_collapsibility", (initial - smallest_size_) / initial, "1", smallest_difference_ / initial});
   if (crossed_time_ < 0) {
     m.push_back({"aspect_ratio", contour_.width() / contour_.height(), "1", {}});
     m.push_back({"lower_upper_area_ratio", contour_.lower_upper_ratio(), "1", {}});
@@ -118,7 +138,8 @@ void Cavity::carry(Archive& a) {
   Archive contour = a.part("contour"), empty = a.part("void"), jet = a.part("jet");
   contour_.carry(contour), void_.carry(empty), jet_.carry(jet);
   a.numbers("history", history_);
-  a.number("smallest_area", smallest_area_), a.number("smallest_difference", smallest_difference_);
+  a.numbers("sizes", sizes_);
+  a.number("smallest_size", smallest_size_), a.number("smallest_difference", smallest_difference_);
   a.number("smallest_sample", smallest_sample_);
   a.integer("most_new", most_new_), a.number("new_time", new_time_);
   a.number("closed_time", closed_time_), a.number("joined_time", joined_time_);

@@ -6,7 +6,8 @@
 
 namespace mpm {
 
-/// The cavity: its area by contour and by void, its form, and how much of it is left.
+/// The cavity: its area by contour and by void, its form, and how much of it is left. In axisymmetry areas
+/// are those of the section through the axis, both halves, and what is said of collapse is said of volumes.
 ///
 /// Final area: mean of the contour's area over the last quarter of the run; of the void's, once the contour
 /// has crossed itself. Its error: the scatter over that window (standard deviation) and the mean difference
@@ -22,10 +23,10 @@ namespace mpm {
 /// less than a tenth of a strip one cell wide along the initial circle. area_difference_m2 is the most that
 /// they did up to then. Metrics: those; aspect_ratio (width / height),
 /// lower_upper_area_ratio, centroid_shift_m (along the impact, against the body's centre of mass), all three
-/// only for a contour that has not crossed itself; cavity_closed_time_s, cavity_joined_outside_time_s,
-/// contour_crossed_time_s, each only if it happened; final_void_area_m2; new_cavities (the most closed
-/// empty regions at one time beside the cavity itself), new_cavities_time_s (when the first of them was
-/// seen), cavities_at_end; and those of Jet.
+/// only for a contour that has not crossed itself; initial_volume_m3, final_volume_m3 and the like in
+/// axisymmetry; cavity_closed_time_s, cavity_joined_outside_time_s, contour_crossed_time_s, each only if it
+/// happened; final_void_area_m2; new_cavities (the most closed empty regions at one time beside the cavity
+/// itself), new_cavities_time_s (when the first of them was seen), cavities_at_end; and those of Jet.
 class Cavity : public Measurement {
  public:
   /// `open_below`: there is no wall, so that what reaches the lowest row of the grid is the outside.
@@ -37,17 +38,25 @@ class Cavity : public Measurement {
   void carry(Archive&) override;
 
  private:
+  /// By contour and by void: an area [m^2], or in axisymmetry a volume [m^3].
+  struct Size {
+    double contour, empty;
+  };
+  struct Ending;
+  double contour_size() const { return axisymmetric_ ? contour_.volume() : contour_.area(); }
+  Ending ending(double start, const std::vector<Size>&) const;
   bool joined_outside() const;
 
-  bool open_below_;
+  bool open_below_, axisymmetric_;
   Contour contour_;
   VoidArea void_;
   Jet jet_;
   std::vector<AreaSample> history_;
+  std::vector<Size> sizes_;         ///< at the samples of history_
   double initial_offset_;           ///< centroid above the centre of mass [m]
-  double smallest_area_;            ///< of the contour until it crosses itself [m^2]
-  double smallest_difference_ = 0;  ///< between the two areas at the sample with the smallest one [m^2]
-  double smallest_sample_;          ///< that one [m^2]
+  double smallest_size_;            ///< of the contour until it crosses itself
+  double smallest_difference_ = 0;  ///< between contour and void at the sample with the smallest one
+  double smallest_sample_;          ///< that one
   int most_new_ = 0;                ///< closed empty regions beside the cavity, at one time
   double new_time_ = -1;            ///< when the first was seen [s]
   double closed_time_ = -1, joined_time_ = -1, crossed_time_ = -1;

@@ -85,6 +85,16 @@ Vec2 Contour::downstream_pole() const { return half_ ? markers_.back() : markers
 
 double Contour::area() const { return 0.5 * moments(closed()).area2; }
 
+/// Cones between neighbouring markers: pi (x^2 + x x' + x'^2) (y' - y) / 3.
+double Contour::volume() const {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < markers_.size(); ++k) {
+    const Vec2 &a = markers_[k], &b = markers_[k + 1];
+    sum += (a.x() * a.x() + a.x() * b.x() + b.x() * b.x()) * (b.y() - a.y());
+  }
+  return pi / 3 * sum;
+}
+
 double Contour::width() const {
   const auto all = closed();
   const auto [low, high] =

@@ -25,6 +25,7 @@ class Contour {
   Vec2 upstream_pole() const { return markers_.front(); }  ///< the marker that started lowest [m]
   Vec2 downstream_pole() const;                            ///< ... and highest [m]
   double area() const;    ///< of the whole cavity [m^2], positive while the curve keeps its sense
+  double volume() const;  ///< of the body of revolution of the right half about x = 0 [m^3], as area()
   double width() const;   ///< [m]
   double height() const;  ///< [m]
   Vec2 centroid() const;  ///< of the enclosed area [m]

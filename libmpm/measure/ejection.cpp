@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "libmpm/measure/connected.hpp"
@@ -31,23 +32,28 @@ Ejection::Ejection(const Scene& s, const State& state)
     : speed_(s.impact_speed),
       radius_(s.cavity_radius),
       link_(state.grid.cell().minCoeff()),
-      wall_mass_(2 * s.cavity_radius * (s.block_height - s.cavity_center_height - s.cavity_radius) *
-                 s.material.reference_density),
+      wall_mass_((state.space == Space::axisymmetric ? std::numbers::pi * s.cavity_radius * s.cavity_radius
+                                                     : 2 * s.cavity_radius) *
+                 (s.block_height - s.cavity_center_height - s.cavity_radius) * s.material.reference_density),
       hold_(s.measures.detached_for),
       arrival_(s.block_height / s.material.bulk_sound_speed + s.cavity_radius / s.impact_speed),
       half_(s.numerics.symmetry == Symmetry::half),
+      axisymmetric_(state.space == Space::axisymmetric),
       stop_early_(s.measures.stop == Stop::decided),
+      all_(axisymmetric_ ? 2 * std::numbers::pi
+           : half_       ? 2
+                         : 1),
       apart_since_(state.particles.size(), -1) {}
 
 /// One connected part, as it is modelled.
 struct Ejection::Part {
   double mass = 0, momentum = 0;  ///< along the impact
   double mass_apart = 0;          ///< of particles that have been apart long enough
-  bool on_axis = false;           ///< joined to its image in half a scene
+  double whole_of_modelled = 1;   ///< 2 if joined to its image in half a scene; 2 pi of a ring
   double moment = 0;              ///< mass times height
   double left = 0, right = 0;     ///< where it reaches from and to
 
-  double whole(double modelled) const { return on_axis ? 2 * modelled : modelled; }
+  double whole(double modelled) const { return whole_of_modelled * modelled; }
 };
 
 /// The body and what has come off it.
@@ -76,7 +82,7 @@ Ejection::Parts Ejection::parts_of(const Particles& ps) const {
     part.moment += ps.mass[p] * x.y();
     part.mass += ps.mass[p];
     part.momentum += ps.mass[p] * ps.velocity[p].y();
-    part.on_axis |= half_ && x.x() < 0.5 * link_;
+    if (axisymmetric_ || (half_ && x.x() < 0.5 * link_)) part.whole_of_modelled = all_;
   }
   all.body =
       static_cast<std::size_t>(std::ranges::max_element(all.parts, {}, &Part::mass) - all.parts.begin());
@@ -102,8 +108,8 @@ void Ejection::find_ejecta(const State& s, Parts& all) {
     if (part.moment / part.mass <=
         highest_between(ps, all.connected, static_cast<int>(all.body), part.left, part.right))
       continue;  // inside: debris in a cavity
-    ejected_mass_ += (half_ ? 2 : 1) * part.mass;
-    ejected_momentum_ += (half_ ? 2 : 1) * part.momentum;
+    ejected_mass_ += all_ * part.mass;
+    ejected_momentum_ += all_ * part.momentum;
     fastest = std::max(fastest, speed);
   }
   if (ejected_mass_ > 0) decide(Verdict::ejected, s.time, fastest / speed_ - 1);
@@ -118,8 +124,7 @@ void Ejection::find_arrest(const State& s, const Parts& all) {
     const bool body = all.of(p) == all.body;
     if (!body && part.whole(part.mass) < least_share * wall_mass_) continue;
     const double speed = body ? ps.velocity[p].y() : part.momentum / part.mass;
-    if (std::abs(ps.position[p].x()) < radius_ && speed > 0)
-      risers.emplace_back(speed, (half_ ? 2 : 1) * ps.mass[p]);
+    if (std::abs(ps.position[p].x()) < radius_ && speed > 0) risers.emplace_back(speed, all_ * ps.mass[p]);
   }
   std::ranges::sort(risers, std::greater<>());
   double mass = 0, speed = 0;
@@ -148,7 +153,10 @@ void Ejection::finish(const State&, RunResult& result) const {
                    : verdict_ == Verdict::arrested ? "arrested"
                                                    : "undecided";
   auto& m = result.metrics;
-  m.push_back({"ejected_mass_kg_m", ejected_mass_, "kg/m", {}});
+  if (axisymmetric_)
+    m.push_back({"ejected_mass_kg", ejected_mass_, "kg", {}});
+  else
+    m.push_back({"ejected_mass_kg_m", ejected_mass_, "kg/m", {}});
   if (ejected_mass_ > 0) m.push_back({"ejecta_speed_m_s", ejected_momentum_ / ejected_mass_, "m/s", {}});
   if (verdict_ == Verdict::undecided) return;
   m.push_back({"decision_time_s", decision_time_, "s", {}});

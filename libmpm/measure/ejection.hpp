@@ -47,7 +47,8 @@ class Ejection : public Measurement {
   double wall_mass_;      ///< 2 R d rho0 [kg/m]
   double hold_;           ///< detached_for [s]
   double arrival_;        ///< of shock and jet at the wall [s]
-  bool half_, stop_early_;
+  bool half_, axisymmetric_, stop_early_;
+  double all_;                       ///< what is modelled times this is all of it [1; in axisymmetry radians]
   std::vector<double> apart_since_;  ///< of each particle [s]; negative: part of the body
   double slow_since_ = -1;           ///< [s]; negative: the wall still rises fast
   Verdict verdict_ = Verdict::undecided;

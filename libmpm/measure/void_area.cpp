@@ -14,17 +14,24 @@ constexpr double half_full = 0.5;
 /// leaves it. Two: the indicator smears an edge over that many.
 constexpr int cells_beside_wall = 2;
 
-/// Area of the part of a unit square where the bilinear corner values (a b / d c, counter-clockwise) are
-/// below 1/2, by straight cuts. In a saddle the two empty corners are joined.
-double empty_part(const double (&corner)[4]) {
-  double area2 = 0;
+/// Of a part of a unit square.
+struct Part {
+  double area = 0, moment_x = 0;
+};
+
+/// The part of a unit square where the bilinear corner values (a b / d c, counter-clockwise) are below 1/2,
+/// by straight cuts. In a saddle the two empty corners are joined.
+Part empty_part(const double (&corner)[4]) {
+  double area2 = 0, moment6 = 0;
   Vec2 first, last;
   bool any = false;
   const Vec2 at[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const auto visit = [&](const Vec2& x) {
-    if (any)
-      area2 += last.x() * x.y() - x.x() * last.y();
-    else
+    if (any) {
+      const double cross = last.x() * x.y() - x.x() * last.y();
+      area2 += cross;
+      moment6 += cross * (last.x() + x.x());
+    } else
       first = x;
     any = true;
     last = x;
@@ -36,7 +43,7 @@ double empty_part(const double (&corner)[4]) {
       visit(at[k] + ((half_full - a) / (b - a)) * (at[(k + 1) % 4] - at[k]));
   }
   if (any) visit(first);
-  return 0.5 * area2;
+  return {0.5 * area2, moment6 / 6};
 }
 
 }  // namespace
@@ -55,7 +62,7 @@ Indicator indicator_of(const State& s, int points_per_particle) {
 
   const double inverse = g.inverse_cell().x() * g.inverse_cell().y();
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    const double share = ps.volume(p) * inverse / points_per_particle;
+    const double share = area(s, p) * inverse / points_per_particle;
     for (int k = 0; k < points_per_particle; ++k) {
       Vec2 x = ps.position[p];
       if (points_per_particle == 4)
@@ -175,7 +182,8 @@ double VoidArea::update(const State& s) {
     const double x = s.grid.origin().x() + i * f.cell.x();
     joined_outside_ |= std::abs(x - center_.x()) > radius_ + cells_beside_wall * f.cell.x();
   }
-  double cells = 0;
+  double cells = 0, radial_cells = 0;  // the latter times their distance from x = 0, in cells
+  int lowest = f.rows, highest = 0;    // rows of cells that the region has a part of
   for (int j = 0; j < f.rows; ++j)
     for (int i = 0; i < f.columns; ++i) {
       const int at[4][2] = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
@@ -186,21 +194,30 @@ double VoidArea::update(const State& s) {
         mine |= region[static_cast<std::size_t>(at[k][1] * stride + at[k][0])] != 0;
       }
       any |= mine;
-      if (mine) cells += empty_part(corner);
+      if (!mine) continue;
+      const Part part = empty_part(corner);
+      cells += part.area;
+      radial_cells += i * part.area + part.moment_x;
+      lowest = std::min(lowest, j), highest = std::max(highest, j);
     }
   started_ = true;
   previous_ = std::move(region);
   previous_columns_ = f.columns;
   previous_rows_ = f.rows;
+  volume_ = 0;
   if (!any) return 0;
   const double variance = 1.0 / 4 + 1.0 / 6 - 1.0 / (12.0 * points_per_cell_);
   const double closed = joined_outside_ ? 0 : touches_wall_ ? 0.5 : 1;
-  return ((full_width_ ? 1 : 2) * cells + closed * pi * variance) * f.cell.x() * f.cell.y();
+  const double height = highest - lowest;
+  const double cell = f.cell.x() * f.cell.y();
+  volume_ = 2 * pi * (radial_cells + 0.5 * closed * variance * height) * cell * f.cell.x();
+  return ((full_width_ ? 1 : 2) * cells + closed * pi * variance) * cell;
 }
 
 void VoidArea::carry(Archive& a) {
   a.integer("started", started_), a.integer("joined_outside", joined_outside_);
   a.integer("touches_wall", touches_wall_), a.integer("closed_regions", closed_regions_);
+  a.number("volume", volume_);
   a.integer("columns", previous_columns_), a.integer("rows", previous_rows_);
   a.integers("region", previous_);
 }

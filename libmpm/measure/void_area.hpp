@@ -33,6 +33,9 @@ class VoidArea {
 
   /// Follows the region and returns its area [m^2]; 0 once it is gone.
   double update(const State&);
+  /// Of its body of revolution about x = 0, in axisymmetry [m^3]. The shift of the curve takes
+  /// pi s^2 integral r dtheta from it, theta the angle of the tangent: that of a circle, pi s^2 height.
+  double volume() const { return volume_; }
 
   /// Empty regions of four nodes or more that reach neither free surface nor wall; this one is among them if
   /// it does not.
@@ -52,6 +55,7 @@ class VoidArea {
   int points_per_particle_, points_per_cell_;
   bool started_ = false, joined_outside_ = false, touches_wall_ = false;
   int closed_regions_ = 0;
+  double volume_ = 0;
   int previous_columns_ = 0, previous_rows_ = 0;
   std::vector<char> previous_;  ///< nodes of the region at the last update
 };

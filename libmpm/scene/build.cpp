@@ -13,7 +13,7 @@ State build_state(const Scene& s) {
   const Kind& kind = kind_of(s);
   const Lattice l = kind.lattice(s);
   const int side = static_cast<int>(std::lround(std::sqrt(s.numerics.particles_per_cell)));
-  State state = empty_state(l.origin, l.cell, l.columns, kind.floor(s));
+  State state = empty_state(l.origin, l.cell, l.columns, kind.floor(s), s.space);
   state.particles.reserve(static_cast<std::size_t>(l.columns * l.rows * side * side));
   fill_rows(state, kind.body(s, l), s.material.reference_density, side, l.empty_rows, l.rows);
   if (s.material.hardens_kinematically()) state.particles.back_stress.resize(state.particles.size());

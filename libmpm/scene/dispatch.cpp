@@ -19,13 +19,21 @@ namespace mpm {
 
 namespace {
 
+template <ShapeFunctions Shape, class Space>
+std::unique_ptr<Stepper> reference_stepper_in(const Scene& s) {
+  if (s.numerics.transfer == Transfer::apic)
+    return std::make_unique<ReferenceStepper<Shape, Apic, Space>>(build_material(s));
+  const double f = s.numerics.pic_fraction;
+  if (f == 0) return std::make_unique<ReferenceStepper<Shape, Flip, Space>>(build_material(s));
+  return std::make_unique<ReferenceStepper<Shape, FlipPic, Space>>(build_material(s), FlipPic{f});
+}
+
 template <ShapeFunctions Shape>
 std::unique_ptr<Stepper> reference_stepper_on(const Scene& s) {
-  if (s.numerics.transfer == Transfer::apic)
-    return std::make_unique<ReferenceStepper<Shape, Apic>>(build_material(s));
-  const double f = s.numerics.pic_fraction;
-  if (f == 0) return std::make_unique<ReferenceStepper<Shape>>(build_material(s));
-  return std::make_unique<ReferenceStepper<Shape, FlipPic>>(build_material(s), FlipPic{f});
+  return space::with_space(s.space, [&]<class Space>(Space) -> std::unique_ptr<Stepper> {
+    if constexpr (!Space::has_hoop || HoopShape<Shape>) return reference_stepper_in<Shape, Space>(s);
+    throw std::logic_error("a scheme that this space does not have");
+  });
 }
 
 std::unique_ptr<Stepper> reference_stepper(const Scene& s) {
@@ -46,7 +54,7 @@ template <class Real>
 std::unique_ptr<Stepper> fast_stepper_of(const Scene& s) {
   using Fast = fast::FastStepper<Real>;
   const bool gimp = s.numerics.scheme == ShapeFunction::gimp;
-  return std::make_unique<Fast>(build_material(s), gimp ? Fast::Shape::gimp : Fast::Shape::bspline2);
+  return std::make_unique<Fast>(build_material(s), gimp ? Fast::Shape::gimp : Fast::Shape::bspline2, s.space);
 }
 
 /// Every material, and what fast_step_has(); find_problems() refuses the rest.

@@ -106,6 +106,8 @@ constexpr auto scheme_words = words<ShapeFunction>({{ShapeFunction::gimp, "gimp"
                                                     {ShapeFunction::bspline3, "bspline3"}});
 constexpr auto transfer_words = words<Transfer>({{Transfer::flip, "flip"}, {Transfer::apic, "apic"}});
 constexpr auto symmetry_words = words<Symmetry>({{Symmetry::half, "half"}, {Symmetry::full, "full"}});
+constexpr auto space_words =
+    words<Space>({{Space::plane_strain, "plane-strain"}, {Space::axisymmetric, "axisymmetric"}});
 constexpr auto kernel_words = words<Kernel>({{Kernel::fast, "fast"}, {Kernel::reference, "reference"}});
 constexpr auto precision_words =
     words<Precision>({{Precision::double_precision, "double"}, {Precision::single_precision, "float"}});
@@ -115,6 +117,8 @@ constexpr auto precision_words =
       [](S& s, std::size_t i) { s.member = static_cast<decltype(s.member)>(i); }
 
 constexpr Choice common_choices[] = {
+    {"space", "space", "plane strain, or axial symmetry about x = 0: circles are spheres, blocks cylinders",
+     Section::top, space_words, CHOICE(space), "plane-strain"},
     {"tension", "tension", "pressure of expanded material", M, tension_words, CHOICE(material.tension)},
     {"hardening_measure", "hardening_measure", "measure of strain of hardening_modulus", M, hardening_words,
      CHOICE(material.hardening_measure)},

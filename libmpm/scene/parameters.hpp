@@ -12,7 +12,7 @@
 namespace mpm {
 
 /// The table of a study file that a parameter is written in.
-enum class Section { parameters, material, numerics, measure };
+enum class Section { top, parameters, material, numerics, measure };
 
 /// What a number may be, by itself (find_problems knows how numbers go together).
 enum class Range {

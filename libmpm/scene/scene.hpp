@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "libmpm/material/material.hpp"
+#include "libmpm/space/space.hpp"
 
 namespace mpm {
 
-/// What is simulated. All scenes are plane strain, and x = 0 is a mirror axis of the configuration.
+/// What is simulated. x = 0 is a mirror axis of the configuration, in axisymmetry its axis: circles are
+/// spheres, and blocks are cylinders whose diameter is their width.
 enum class SceneKind {
   cavity_impact,    ///< a block with a cavity; y along the impact, the impact wall is y = 0, v_y =
                     ///< -impact_speed
@@ -104,6 +106,7 @@ struct Scene {
   double outer_radius = 0;          ///< b0 of the shell [m]
   double inner_speed = 0;           ///< u0, inwards, at the inner radius [m/s], > 0
   double end_time = 0;              ///< [s]
+  Space space = Space::plane_strain;
   Numerics numerics;
   Measures measures;
 };

@@ -37,6 +37,15 @@ void check_numerics(const Scene& s, Report& report) {
     report.add_choice("kernel",
                       "\"reference\": the fast step has scheme = \"gimp\" and \"bspline2\", transfer = "
                       "\"flip\", pic_fraction = 0");
+  if (s.space == Space::axisymmetric) {
+    if (n.scheme != ShapeFunction::gimp && n.scheme != ShapeFunction::bspline2)
+      report.add_choice("scheme", "\"gimp\" or \"bspline2\" when space is \"axisymmetric\"");
+    if (n.scheme == ShapeFunction::bspline2)
+      report.require(k == 4 || k == 16, "particles_per_cell",
+                     "4 or 16 with scheme = \"bspline2\" when space is \"axisymmetric\"");
+    if (n.symmetry != Symmetry::half)
+      report.add_choice("symmetry", "\"half\" when space is \"axisymmetric\": the axis is a mirror");
+  }
   const Material& m = s.material;
   report.require(m.poissons_ratio < 0.5, "poissons_ratio", "0 or more, less than 0.5");
   report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");
@@ -124,7 +133,8 @@ void check_body(const Scene& s, const State& body, Report& report) {
   const double right = grid.origin().x() + (grid.columns() + 0.5) * grid.cell().x();
   for (std::size_t p = 0; p < n; ++p) {
     const Vec2& x = ps.position[p];
-    const bool inside = x.x() > low.x() && x.x() < right && x.y() > low.y() && std::isfinite(x.y());
+    const bool inside = x.x() > (s.space == Space::axisymmetric ? 0 : low.x()) && x.x() < right &&
+                        x.y() > low.y() && std::isfinite(x.y());
     const bool material = ps.mass[p] > 0 && ps.volume(p) > 0 && ps.velocity[p].allFinite();
     if (inside && material) continue;
     return report.add_other("body",

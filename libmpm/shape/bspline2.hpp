@@ -20,6 +20,13 @@ struct BSpline2 {
     w.slope = {d - 0.5, -2 * d, d + 0.5};
     return w;
   }
+  /// S + (l^2 / 2) S'': exact where S is one parabola over the particle, as it is at rest with an even number
+  /// of particles per edge of a cell.
+  static std::array<double, 3> hoop(double xi, double half) {
+    const Weights w = evaluate(xi, half);
+    const double bend = 0.5 * half * half;
+    return {w.value[0] + bend, w.value[1] - 2 * bend, w.value[2] + bend};
+  }
   static void follow(const Grid&, Particles&, std::size_t, const Mat2&) {}
 };
 static_assert(ShapeFunctions<BSpline2>);

@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
+
 #include "libmpm/shape/shape.hpp"
 
 namespace mpm {
@@ -28,6 +30,16 @@ struct Gimp {
     w.value[1] = 1 - (w.value[0] + w.value[2]);
     w.slope[1] = -(w.slope[0] + w.slope[2]);
     return w;
+  }
+  /// The mean of the hat function N at both ends of the extent, with [N] = 2 l S':
+  /// [r N] = 2 l (r_p S' + (N(r_p + l) + N(r_p - l)) / 2).
+  static std::array<double, 3> hoop(double xi, double half) {
+    half = std::min(half, largest_half_size);
+    const double r = xi - nearest_node(xi);
+    const auto hat = [](double d) { return std::max(1 - std::abs(d), 0.0); };
+    const double left = 0.5 * (hat(1 + r + half) + hat(1 + r - half));
+    const double right = 0.5 * (hat(1 - r + half) + hat(1 - r - half));
+    return {left, 1 - (left + right), right};
   }
   static void follow(const Grid&, Particles& particles, std::size_t p, const Mat2& growth) {
     particles.half_size[p].x() *= 1 + growth(0, 0);

@@ -6,6 +6,7 @@
 
 #include "libmpm/core/grid.hpp"
 #include "libmpm/core/particles.hpp"
+#include "libmpm/space/space.hpp"
 
 namespace mpm {
 
@@ -42,6 +43,21 @@ struct ProductStencil {
 };
 using Stencil = ProductStencil<3>;
 
+/// With the weights of the hoop, see HoopShape.
+struct AxialStencil : Stencil {
+  std::array<double, 3> hoop{};
+
+  /// Calls visit(node, weight, gradient, hoop weight) for every node, row by row.
+  template <class AnyGrid, class Visit>
+  void for_each(AnyGrid& grid, Visit visit) const {
+    for (int j = 0; j < 3; ++j) {
+      auto* row = &grid.at(x.first, y.first + j);
+      for (int i = 0; i < 3; ++i)
+        visit(row[i], weight(i, j), gradient(i, j, grid.inverse_cell()), hoop[i] * y.value[j]);
+    }
+  }
+};
+
 /// A product of one-dimensional functions. evaluate(xi, half): xi position, half half-size of the particle's
 /// domain, both in cells.
 template <class T>
@@ -57,10 +73,27 @@ auto stencil_at(const Grid& grid, const Vec2& position, const Vec2& half_size) {
   return ProductStencil<decltype(x)::nodes>{x, Shape::evaluate(xi.y(), half.y())};
 }
 
+/// A shape function S that can be used in axisymmetry. With the particle's extent r_p - l ... r_p + l
+/// (cells), the hoop weights h make radial slope and hoop together an integral over the particle's own
+/// extent,
+///   S'(r_p) r_p + h = (1 / 2l) integral d(r S)/dr dr,
+/// so that the forces of a uniform pressure add up to nothing at every node, the axis included, as long as
+/// the extents fill the body. hoop(xi, half) as evaluate().
+template <class T>
+concept HoopShape = ProductShape<T> && requires(double xi, double half) {
+  { T::hoop(xi, half) } -> std::same_as<std::array<double, 3>>;
+};
+
 /// The stencil of a particle with any shape function.
-template <class Shape>
+template <class Shape, class Space = space::PlaneStrain>
 auto stencil_of(const Grid& grid, const Particles& particles, std::size_t p) {
-  if constexpr (ProductShape<Shape>)
+  if constexpr (Space::has_hoop) {
+    static_assert(HoopShape<Shape>);
+    const double inverse = grid.inverse_cell().x();
+    const double xi = (particles.position[p].x() - grid.origin().x()) * inverse;
+    return AxialStencil{stencil_at<Shape>(grid, particles.position[p], particles.half_size[p]),
+                        Shape::hoop(xi, particles.half_size[p].x() * inverse)};
+  } else if constexpr (ProductShape<Shape>)
     return stencil_at<Shape>(grid, particles.position[p], particles.half_size[p]);
   else
     return Shape::stencil(grid, particles, p);

@@ -16,25 +16,32 @@ namespace mpm {
 /// (impact_wall.hpp). With all, the sum over the particles of m v^2/2 + m e is constant to rounding, whatever
 /// the step and the shape function; for FLIP, a_p = sum w_ip a_i:
 ///   sum_p m_p (v_p . a_p dt + |a_p|^2 dt^2/2)  +  the second term  =  dt sum_i m_i a_i . (v_i - dt a_i/2)
-/// Checked by tests/libmpm/step_test.cpp. Returns the second and third terms, summed [J/m].
-template <ShapeFunctions Shape, class Transfer = Flip>
+/// Checked by tests/libmpm/step_test.cpp. Returns the second and third terms, summed [J/m]. In axisymmetry
+///   L_zz = sum v_r,i h_ip / r_p   goes to hoop_rate, and sigma_zz times it, of the middle, joins the work.
+template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
 double g2p(Particles& particles, const Grid& grid, double dt, std::vector<Mat2>& velocity_gradient,
-           const Transfer& transfer = {}) {
+           const Transfer& transfer = {}, [[maybe_unused]] std::vector<double>* hoop_rate = nullptr) {
   double transfer_heat = 0;
   for (std::size_t p = 0; p < particles.size(); ++p) {
-    const auto stencil = stencil_of<Shape>(grid, particles, p);
+    const auto stencil = stencil_of<Shape, Space>(grid, particles, p);
     typename Transfer::Sums sums(particles, p, dt);
     Vec2 velocity = Vec2::Zero();
     Mat2 gradient = Mat2::Zero();
     double power = 0, contact = 0;
+    [[maybe_unused]] double hoop_velocity = 0;
     const PlaneTensor stress = particles.stress(p);
-    stencil.for_each(grid, [&](const Node& n, double w, const Vec2& g) {
+    [[maybe_unused]] const double inverse_radius = 1 / particles.position[p].x();
+    stencil.for_each(grid, [&](const Node& n, double w, const Vec2& g, [[maybe_unused]] double hoop = 0) {
       sums.add(n, w, offset_of<Transfer>(grid, particles, p, n));
       velocity += w * n.velocity;
       gradient += n.velocity * g.transpose();
       const Vec2 traction(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
       power += traction.dot(n.velocity - 0.5 * dt * n.acceleration);
       contact += w * n.contact_heat;
+      if constexpr (Space::has_hoop) {
+        hoop_velocity += hoop * n.velocity.x();
+        power += stress.zz * inverse_radius * hoop * (n.velocity.x() - 0.5 * dt * n.acceleration.x());
+      }
     });
     const double work = dt * particles.volume(p) * power;
     const double heat = particles.mass[p] * (transfer.give(sums, particles, p, dt) + contact);
@@ -42,6 +49,7 @@ double g2p(Particles& particles, const Grid& grid, double dt, std::vector<Mat2>&
     particles.position[p] += dt * velocity;
     Shape::follow(grid, particles, p, dt * gradient);
     velocity_gradient[p] = gradient;
+    if constexpr (Space::has_hoop) (*hoop_rate)[p] = hoop_velocity * inverse_radius;
     transfer_heat += heat;
   }
   return transfer_heat;

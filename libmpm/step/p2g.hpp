@@ -17,17 +17,20 @@ Vec2 offset_of(const Grid& grid, const Particles& particles, std::size_t p, cons
 /// Node::velocity receives the momentum and Node::acceleration the force. The sums of m, m v over the nodes
 /// are those over the particles, and the forces add up to zero, to rounding: partition of unity. Source:
 /// Sulsky, Chen, Schreyer 1994, Comput. Methods Appl. Mech. Engng 118, 179.
-/// v_p may depend on the node: it is what the transfer brings there.
-template <ShapeFunctions Shape, class Transfer = Flip>
+/// v_p may depend on the node: it is what the transfer brings there. In axisymmetry the hoop stress gives
+///   f_r,i -= V_p sigma_zz h_ip / r_p,   see space/space.hpp.
+template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
 void p2g(const Particles& particles, Grid& grid) {
   for (std::size_t p = 0; p < particles.size(); ++p) {
-    const auto stencil = stencil_of<Shape>(grid, particles, p);
+    const auto stencil = stencil_of<Shape, Space>(grid, particles, p);
     const double mass = particles.mass[p];
     const PlaneTensor stress = particles.volume(p) * particles.stress(p);
-    stencil.for_each(grid, [&](Node& n, double w, const Vec2& g) {
+    [[maybe_unused]] const double hoop_stress = stress.zz / particles.position[p].x();
+    stencil.for_each(grid, [&](Node& n, double w, const Vec2& g, [[maybe_unused]] double hoop = 0) {
       n.mass += w * mass;
       n.velocity += w * (mass * Transfer::brought(particles, p, offset_of<Transfer>(grid, particles, p, n)));
       n.acceleration -= Vec2(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
+      if constexpr (Space::has_hoop) n.acceleration.x() -= hoop * hoop_stress;
     });
   }
 }

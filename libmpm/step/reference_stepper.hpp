@@ -5,13 +5,13 @@
 namespace mpm {
 
 /// The plain step, on the State itself.
-template <ShapeFunctions Shape, class Transfer = Flip>
+template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
 class ReferenceStepper : public Stepper {
  public:
   explicit ReferenceStepper(const MaterialModel& model, const Transfer& transfer = {})
       : model_(model), transfer_(transfer) {}
   StepReport step(State& state, double dt) override {
-    return reference_step<Shape>(state, model_, dt, transfer_);
+    return reference_step<Shape, Transfer, Space>(state, model_, dt, transfer_);
   }
 
  private:

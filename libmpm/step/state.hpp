@@ -6,10 +6,11 @@
 #include "libmpm/core/grid.hpp"
 #include "libmpm/core/particles.hpp"
 #include "libmpm/material/solid.hpp"
+#include "libmpm/space/space.hpp"
 
 namespace mpm {
 
-/// Sums over the particles after a step.
+/// Sums over the particles after a step. Per metre of depth; in axisymmetry per radian.
 struct StepReport {
   /// Fastest signal against the grid, sound + viscosity + motion [m/s]; NaN if a particle's state is not
   /// finite or a particle is outside the grid.
@@ -29,7 +30,16 @@ struct State {
   std::vector<Mat2> velocity_gradient;  ///< of each particle, over the last step [1/s]
   double time = 0;                      ///< [s]
   std::int64_t step = 0;
-  Floor floor = Floor::impact_wall;  ///< what y = origin of the grid is
+  Floor floor = Floor::impact_wall;   ///< what y = origin of the grid is
+  Space space = Space::plane_strain;  ///< in axisymmetry x = 0, the axis, is the left side of the grid
+  std::vector<double>
+      hoop_rate{};  ///< v_r / r of each particle, over the last step [1/s]; empty without hoop
 };
+
+/// Of a particle, in the plane of the grid [m^2].
+inline double area(const State& s, std::size_t p) {
+  const double volume = s.particles.volume(p);
+  return s.space == Space::axisymmetric ? volume / s.particles.position[p].x() : volume;
+}
 
 }  // namespace mpm

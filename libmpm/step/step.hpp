@@ -25,7 +25,7 @@
 
 namespace mpm {
 
-template <ShapeFunctions Shape, class Transfer = Flip>
+template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
 StepReport reference_step(State& state, const MaterialModel& model, double dt,
                           const Transfer& transfer = {}) {
   StepReport report;
@@ -44,18 +44,20 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt,
   }
   if constexpr (requires { Shape::start(state.particles); }) Shape::start(state.particles);
   Transfer::start(state.particles);
+  if constexpr (Space::has_hoop) state.hoop_rate.resize(state.particles.size());
   const int top = static_cast<int>((highest - grid.origin().y()) * grid.inverse_cell().y()) + Shape::reach;
   grid.grow_to_row(top);
   grid.clear();
 
-  p2g<Shape, Transfer>(state.particles, grid);
+  p2g<Shape, Transfer, Space>(state.particles, grid);
   for (Node& n : grid.nodes()) n.own_mass = n.mass;
   reflect_sides(grid, top);
   if (state.floor == Floor::mirror) reflect_floor(grid);
   update_grid(grid, dt);
   if (state.floor == Floor::impact_wall) apply_impact_wall(grid, dt);
   report.wall_impulse = wall_impulse(grid, dt);
-  report.transfer_heat = g2p<Shape>(state.particles, grid, dt, state.velocity_gradient, transfer);
+  report.transfer_heat = g2p<Shape, Transfer, Space>(state.particles, grid, dt, state.velocity_gradient,
+                                                     transfer, &state.hoop_rate);
   update_stress(state, model, dt, report);
 
   state.time += dt;

@@ -10,17 +10,19 @@
 namespace mpm {
 namespace {
 
-template <class Model>
+template <class Space, class Model>
 void update(State& state, const Model& model, double dt, StepReport& report) {
   Particles& ps = state.particles;
-  static_assert(MaterialModelOver<Model, double> && Model::own_columns <= most_own_columns);
+  static_assert(MaterialModelOver<Model, double, Space> && Model::own_columns <= most_own_columns);
   const Validity<double> valid = model.validity();
   double lowest = 0, highest = 0, fastest = 0, overpressed = 0, overstrained = 0, kinetic = 0;
   bool finite = true;  // std::max would lose a NaN
   for (std::size_t p = 0; p < ps.size(); ++p) {
     const Mat2 l = dt * state.velocity_gradient[p];
-    const Strain<double> strain =
-        strain_over<double>(ps.dilation[p], {l(0, 0), l(0, 1), l(1, 0), l(1, 1)}, model);
+    double hoop = 0;
+    if constexpr (Space::has_hoop) hoop = dt * state.hoop_rate[p];
+    const auto strain =
+        strain_over<double, Space>(ps.dilation[p], {l(0, 0), l(0, 1), l(1, 0), l(1, 1)}, model, hoop);
     Deviator<double> s{ps.deviator[p].xx, ps.deviator[p].yy, ps.deviator[p].xy};
     double own[most_own_columns] = {};
     read_own(ps, p, Model::own_columns, own);
@@ -52,7 +54,9 @@ void update(State& state, const Model& model, double dt, StepReport& report) {
 }  // namespace
 
 void update_stress(State& state, const MaterialModel& material, double dt, StepReport& report) {
-  with_model<double>(material, [&](const auto& model, std::size_t) { update(state, model, dt, report); });
+  with_model<double>(material, [&](const auto& model, std::size_t) {
+    space::with_space(state.space, [&]<class Space>(Space) { update<Space>(state, model, dt, report); });
+  });
 }
 
 }  // namespace mpm

@@ -96,6 +96,7 @@ std::string default_in_force(const Row& row, const Plan& plan) {
 /// Every parameter that the file leaves to the scene or to its material, a line a table.
 void print_defaults(const Study& study, const Plan& plan) {
   const std::pair<mpm::Section, std::string> sections[] = {
+      {mpm::Section::top, "top of the file"},
       {mpm::Section::parameters, "parameters"},
       {mpm::Section::material, "material (" + plan.jobs.front().scene.material.name + ")"},
       {mpm::Section::numerics, "numerics"},

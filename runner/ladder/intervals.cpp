@@ -54,12 +54,18 @@ void split_measuring_error(const Ladder& ladder, IntervalRow& row) {
     if (found == ladder.end()) return std::nullopt;
     return std::ranges::min(found->second.points, {}, &analysis::LadderPoint::cell).value;
   };
-  const auto area = at_finest("final_area_m2"), collapsed = at_finest("collapsibility");
-  // (1 - collapsibility) initial area = final area; an area that is gone says nothing of the initial one.
-  const double unit = share ? (area && collapsed && *collapsed < 1 ? *area / (1 - *collapsed) : 0) : 1;
+  // In axisymmetry a collapsibility is made of volumes.
+  const bool volumes = share && ladder.contains("final_volume_m3");
+  const auto final_size = at_finest(volumes ? "final_volume_m3" : "final_area_m2");
+  const auto collapsed = at_finest("collapsibility");
+  // (1 - collapsibility) initial size = final size; one that is gone says nothing of the initial one.
+  const double unit =
+      share ? (final_size && collapsed && *collapsed < 1 ? *final_size / (1 - *collapsed) : 0) : 1;
   if (!(unit > 0)) return;
-  if (const auto part = at_finest("final_area_difference_m2")) row.measuring_difference = *part / unit;
-  if (const auto part = at_finest("final_area_scatter_m2")) row.scatter = *part / unit;
+  const auto difference = at_finest(volumes ? "final_volume_difference_m3" : "final_area_difference_m2");
+  const auto scatter = at_finest(volumes ? "final_volume_scatter_m3" : "final_area_scatter_m2");
+  if (difference) row.measuring_difference = *difference / unit;
+  if (scatter) row.scatter = *scatter / unit;
 }
 
 }  // namespace

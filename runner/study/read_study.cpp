@@ -94,6 +94,7 @@ class Reader {
     }
     if (kind_) request_.kind = study_.kind = *kind_;
     check_keys(document_, "", kind_, problems_);
+    for (const Entry& entry : document_.entries) read_row("", entry);
   }
 
   void read_material() {

@@ -66,6 +66,8 @@ std::string kinds_with(std::string_view key) {
 
 std::string_view table_name(mpm::Section section) {
   switch (section) {
+    case mpm::Section::top:
+      return "";
     case mpm::Section::parameters:
       return "parameters";
     case mpm::Section::material:

@@ -18,7 +18,7 @@ namespace {
 template <class Visit>
 void each_member(mpm::Scene& s, const Visit& visit) {
   auto& [kind, material, impact_speed, block_width, block_height, cavity_radius, cavity_center_height,
-         inner_radius, outer_radius, inner_speed, end_time, numerics, measures] = s;
+         inner_radius, outer_radius, inner_speed, end_time, space, numerics, measures] = s;
   auto& [name, reference_density, youngs_modulus, poissons_ratio, yield_stress, hardening_modulus,
          hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope, gruneisen_gamma,
          specific_heat, initial_temperature, pressure_limit, tension, spall_strength] = material;
@@ -30,7 +30,7 @@ void each_member(mpm::Scene& s, const Visit& visit) {
 #define MEMBER(m) visit(#m, m)
   MEMBER(impact_speed), MEMBER(block_width), MEMBER(block_height), MEMBER(cavity_radius);
   MEMBER(cavity_center_height), MEMBER(inner_radius), MEMBER(outer_radius), MEMBER(inner_speed);
-  MEMBER(end_time);
+  MEMBER(end_time), MEMBER(space);
   MEMBER(reference_density), MEMBER(youngs_modulus), MEMBER(poissons_ratio), MEMBER(yield_stress);
   MEMBER(hardening_modulus), MEMBER(hardening_measure), MEMBER(kinematic_fraction);
   MEMBER(bulk_sound_speed), MEMBER(hugoniot_slope), MEMBER(gruneisen_gamma), MEMBER(specific_heat);

@@ -55,8 +55,8 @@ struct Elastic {
   static constexpr int own_columns = 0;
   static bool fits(const J2& j2) { return std::isinf(j2.yield_stress); }
 
-  template <class Real, class N>
-  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N*, const Strain<N>& e, N) {
+  template <class Real, class N, class Space>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N*, const Strain<N, Space>& e, N) {
     s = sum(rotated(e.rotation, s), 2 * j2.shear_modulus, deviator(e.rate));
   }
 };
@@ -66,8 +66,8 @@ struct IsotropicHardening {
   static constexpr int own_columns = 2;
   static bool fits(const J2& j2) { return !Elastic::fits(j2) && !j2.kinematic; }
 
-  template <class Real, class N>
-  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N* own, const Strain<N>& e,
+  template <class Real, class N, class Space>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N* own, const Strain<N, Space>& e,
                                 N specific_volume) {
     const Real twice = 2 * j2.shear_modulus;
     const Deviator<N> trial = sum(rotated(e.rotation, s), twice, deviator(e.rate));
@@ -89,8 +89,8 @@ struct KinematicHardening {
   static constexpr int own_columns = 5;
   static bool fits(const J2& j2) { return !Elastic::fits(j2) && j2.kinematic; }
 
-  template <class Real, class N>
-  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N* own, const Strain<N>& e,
+  template <class Real, class N, class Space>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N* own, const Strain<N, Space>& e,
                                 N specific_volume) {
     const Real twice = 2 * j2.shear_modulus;
     const Deviator<N> alpha =

@@ -1,4 +1,5 @@
-// A ring that nothing touches moves inwards: v(r) = -inner_speed inner_radius / r.
+// A ring that nothing touches moves inwards: v(r) = -inner_speed inner_radius / r; in axisymmetry a sphere,
+// v(r) = -inner_speed (inner_radius / r)^2.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +16,7 @@ constexpr Quantity rows[] = {
      Section::parameters, Range::positive, true, "", get<&Scene::inner_radius>, set<&Scene::inner_radius>},
     {"outer_radius", "m", "outer_radius_m", "outer radius of the shell",
      Section::parameters, Range::positive, true, "", get<&Scene::outer_radius>, set<&Scene::outer_radius>},
-    {"inner_speed", "m/s", "inner_speed_m_s", "speed, inwards, of the shell's inner surface: v(r) = -inner_speed inner_radius / r",
+    {"inner_speed", "m/s", "inner_speed_m_s", "speed, inwards, of the shell's inner surface: v(r) = -inner_speed inner_radius / r, of a sphere (inner_radius / r)^2",
      Section::parameters, Range::positive, true, "", get<&Scene::inner_speed>, set<&Scene::inner_speed>},
 };
 // clang-format on
@@ -63,8 +64,11 @@ Floor floor(const Scene& s) { return quarter(s) ? Floor::mirror : Floor::impact_
 
 Body body(const Scene& s, const Lattice& l) {
   const double u = s.inner_speed, a = s.inner_radius;
-  return {disc({0, 0}, s.outer_radius) - disc({0, 0}, a),
-          [=](const Vec2& x) { return Vec2(-u * a / x.squaredNorm() * x); }, l.center};
+  const Region ring = disc({0, 0}, s.outer_radius) - disc({0, 0}, a);
+  if (s.space == Space::axisymmetric)
+    return {ring, [=](const Vec2& x) { return Vec2(-u * (a * a) / (x.squaredNorm() * x.norm()) * x); },
+            l.center};
+  return {ring, [=](const Vec2& x) { return Vec2(-u * a / x.squaredNorm() * x); }, l.center};
 }
 
 double area(const Scene& s, const Lattice&) {

@@ -15,7 +15,8 @@ Blocks<Real>::Blocks(const Particles& ps, const Grid& grid, const Layout& layout
   ids_.assign(slots, nobody);
   std::iota(ids_.begin(), ids_.begin() + static_cast<std::ptrdiff_t>(ps.size()), 0U);
   const Vec2& inverse = grid.inverse_cell();
-  const double cells = inverse.x() * inverse.y() / rho0;
+  const bool radial = layout.space == Space::axisymmetric;
+  const double per_unit = inverse.x() * inverse.y() / rho0 * (radial ? inverse.x() : 1);  // 1 / unit_mass()
   for (std::size_t s = 0; s < ps.size(); ++s) {
     const Vec2 xi = (ps.position[s] - grid.origin()).cwiseProduct(inverse);
     const Vec2 nearest(std::floor(xi.x() + 0.5), std::floor(xi.y() + 0.5));
@@ -25,7 +26,7 @@ Blocks<Real>::Blocks(const Particles& ps, const Grid& grid, const Layout& layout
     set(position_y, xi.y() - nearest.y());
     set(velocity_x, ps.velocity[s].x());
     set(velocity_y, ps.velocity[s].y());
-    set(initial_volume, ps.mass[s] * cells);
+    set(initial_volume, ps.mass[s] * per_unit);
     set(dilation, ps.dilation[s]);
     set(energy, ps.energy[s]);
     set(pressure, ps.pressure[s]);
@@ -33,10 +34,8 @@ Blocks<Real>::Blocks(const Particles& ps, const Grid& grid, const Layout& layout
     set(deviator_xx, ps.deviator[s].xx);
     set(deviator_yy, ps.deviator[s].yy);
     set(deviator_xy, ps.deviator[s].xy);
-    if (layout.gimp) {
-      set(layout.half_size(), ps.half_size[s].x() * inverse.x());
-      set(layout.half_size() + 1, ps.half_size[s].y() * inverse.y());
-    }
+    for (int axis = 0; axis < layout.half_sizes(); ++axis)
+      set(layout.half_size() + axis, ps.half_size[s][axis] * inverse[axis]);
     double own[most_own_columns] = {};
     read_own(ps, s, layout.own_columns, own);
     for (int c = 0; c < layout.own_columns; ++c) set(layout.own() + c, own[c]);
@@ -56,8 +55,8 @@ void Blocks<Real>::write(std::size_t s, const Grid& grid, Particles& ps, std::si
   ps.viscous_pressure[p] = get(viscous_pressure);
   const double xx = get(deviator_xx), yy = get(deviator_yy);
   ps.deviator[p] = {xx, yy, -(xx + yy), get(deviator_xy)};
-  if (layout_.gimp)
-    ps.half_size[p] = Vec2(get(layout_.half_size()), get(layout_.half_size() + 1)).cwiseProduct(grid.cell());
+  for (int axis = 0; axis < layout_.half_sizes(); ++axis)
+    ps.half_size[p][axis] = get(layout_.half_size() + axis) * grid.cell()[axis];
   double own[most_own_columns] = {};
   for (int c = 0; c < layout_.own_columns; ++c) own[c] = get(layout_.own() + c);
   write_own(ps, p, layout_.own_columns, own);

@@ -11,6 +11,13 @@
 
 namespace mpm::fast {
 
+/// Of the particle that fills a cell at rest; in axisymmetry, a cell at the distance of a cell from the axis
+/// [kg/m, per radian kg].
+inline double unit_mass(double rho0, const Grid& grid, Space space) {
+  const Vec2& h = grid.cell();
+  return rho0 * h.x() * h.y() * (space == Space::axisymmetric ? h.x() : 1);
+}
+
 /// The particles in blocks of `width` lanes: all columns of a block side by side, so that a pass over the
 /// particles is one stream through memory.
 ///

@@ -45,14 +45,14 @@ Constants<Real> constants_of(const MaterialModel& m, const Grid& grid) {
 }  // namespace
 
 template <class Real>
-FastStepper<Real>::FastStepper(const MaterialModel& material, Shape shape, InstructionSet set)
-    : material_(material), layout_{shape == Shape::gimp, 0} {
+FastStepper<Real>::FastStepper(const MaterialModel& material, Shape shape, Space space, InstructionSet set)
+    : material_(material), layout_{shape == Shape::gimp, space, 0} {
   with_model<Real>(material, [&](const auto& model, std::size_t place) {
     static_assert(std::is_trivially_copyable_v<std::decay_t<decltype(model)>> &&
                   sizeof model <= sizeof model_);
     std::memcpy(model_.data(), &model, sizeof model);
     layout_.own_columns = model.own_columns;
-    kernels_ = kernels_for<Real>(layout_.gimp, place, set);
+    kernels_ = kernels_for<Real>(layout_.gimp, space, place, set);
   });
 }
 
@@ -175,7 +175,7 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
   use(sums.lowest_node, sums.highest_node);
 
   const Grid& grid = state.grid;
-  const double unit = material_.eos.rho0 * grid.cell().x() * grid.cell().y();
+  const double unit = unit_mass(material_.eos.rho0, grid, layout_.space);
   StepReport report;
   report.largest_signal = sums.broken ? std::numeric_limits<double>::quiet_NaN() : sums.largest_signal;
   report.smallest_dilation = sums.smallest_dilation;
@@ -209,7 +209,9 @@ void FastStepper<Real>::refresh_particles(State& state, std::span<const std::siz
 
 template <class Real>
 void FastStepper<Real>::refresh_nodes(State& state, int first_row, int last_row) {
-  if (grid_) grid_->copy_rows(state.grid, material_.eos.rho0, first_row, last_row, moved_first_, moved_last_);
+  if (!grid_) return;
+  const double unit = unit_mass(material_.eos.rho0, state.grid, layout_.space);
+  grid_->copy_rows(state.grid, unit, first_row, last_row, moved_first_, moved_last_);
 }
 
 template <class Real>

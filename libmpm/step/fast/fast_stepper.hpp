@@ -25,7 +25,8 @@ template <class Real>
 class FastStepper : public Stepper {
  public:
   enum class Shape { bspline2, gimp };
-  FastStepper(const MaterialModel&, Shape, InstructionSet = best_instruction_set());
+  FastStepper(const MaterialModel&, Shape, Space = Space::plane_strain,
+              InstructionSet = best_instruction_set());
 
   StepReport step(State&, double dt) override;
   void refresh_particles(State&) override;

@@ -5,15 +5,15 @@
 namespace mpm::fast {
 namespace baseline {
 template <class Real>
-Transfers<Real> transfers(bool gimp);
+Transfers<Real> transfers(bool gimp, Space);
 template <class Real>
-StressUpdate<Real> stress_update(std::size_t model);
+StressUpdate<Real> stress_update(std::size_t model, Space);
 }  // namespace baseline
 namespace avx2 {
 template <class Real>
-Transfers<Real> transfers(bool gimp);
+Transfers<Real> transfers(bool gimp, Space);
 template <class Real>
-StressUpdate<Real> stress_update(std::size_t model);
+StressUpdate<Real> stress_update(std::size_t model, Space);
 }  // namespace avx2
 
 bool supported(InstructionSet set) {
@@ -35,15 +35,16 @@ InstructionSet best_instruction_set() {
 }
 
 template <class Real>
-Kernels<Real> kernels_for(bool gimp, std::size_t model, InstructionSet set) {
+Kernels<Real> kernels_for(bool gimp, Space space, std::size_t model, InstructionSet set) {
   if (!supported(set)) throw std::logic_error("this processor lacks the instruction set");
 #if defined(MPM_KERNELS_AVX2)
-  if (set == InstructionSet::avx2) return {avx2::transfers<Real>(gimp), avx2::stress_update<Real>(model)};
+  if (set == InstructionSet::avx2)
+    return {avx2::transfers<Real>(gimp, space), avx2::stress_update<Real>(model, space)};
 #endif
-  return {baseline::transfers<Real>(gimp), baseline::stress_update<Real>(model)};
+  return {baseline::transfers<Real>(gimp, space), baseline::stress_update<Real>(model, space)};
 }
 
-template Kernels<double> kernels_for(bool, std::size_t, InstructionSet);
-template Kernels<float> kernels_for(bool, std::size_t, InstructionSet);
+template Kernels<double> kernels_for(bool, Space, std::size_t, InstructionSet);
+template Kernels<float> kernels_for(bool, Space, std::size_t, InstructionSet);
 
 }  // namespace mpm::fast

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "libmpm/space/space.hpp"
+
 namespace mpm::fast {
 
 /// Columns of a block of particles. Lengths are in cells, volumes in cells too, and positions are relative to
@@ -14,7 +16,7 @@ enum Column : int {
   position_y,        ///< [cells]
   velocity_x,        ///< [m/s]
   velocity_y,        ///< [m/s]
-  initial_volume,    ///< [cells]; 0: a lane without particle. Mass is rho0 times it.
+  initial_volume,    ///< mass [unit_mass()]; 0: a lane without particle
   dilation,          ///< J - 1 [1]
   energy,            ///< [J/kg]
   pressure,          ///< [Pa]
@@ -25,14 +27,16 @@ enum Column : int {
   common_columns,
 };
 
-/// The columns of a block: the common ones, with GIMP half sizes of the domains, then the material model's
-/// own.
+/// The columns of a block: the common ones, half sizes of the domains (with GIMP along both axes, in
+/// axisymmetry along x), then the material model's own.
 struct Layout {
   bool gimp;
+  Space space;
   int own_columns;
 
-  static constexpr int half_size() { return common_columns; }  ///< two columns [cells]
-  constexpr int own() const { return half_size() + (gimp ? 2 : 0); }
+  static constexpr int half_size() { return common_columns; }  ///< [cells]
+  constexpr int half_sizes() const { return gimp ? 2 : space == Space::axisymmetric ? 1 : 0; }
+  constexpr int own() const { return half_size() + half_sizes(); }
   constexpr int columns() const { return own() + own_columns; }
 };
 
@@ -44,7 +48,7 @@ enum Motion : int {
   change_x,  ///< force, then change of velocity over the step [m/s]
   change_y,
   change_square,  ///< square of the change of velocity [m^2/s^2]
-  motion_mass,    ///< [rho0 hx hy]
+  motion_mass,    ///< [unit_mass()]
   motion_components,
 };
 
@@ -89,10 +93,10 @@ struct Band {
 /// Sums over the particles of a band.
 struct SweepReport {
   double largest_signal, smallest_dilation, largest_dilation;
-  double overpressed, overstrained;  ///< mass beyond the equation of state [rho0 hx hy]
+  double overpressed, overstrained;  ///< mass beyond the equation of state [unit_mass()]
   double lowest_node, highest_node;  ///< index of the lower left node of a stencil, after the step
-  double transfer_heat, kinetic;     ///< [rho0 hx hy m^2/s^2]
-  double momentum_x, momentum_y;     ///< gained [rho0 hx hy m/s]
+  double transfer_heat, kinetic;     ///< [unit_mass() m^2/s^2]
+  double momentum_x, momentum_y;     ///< gained [unit_mass() m/s]
   std::int64_t out_of_step;          ///< blocks whose lanes do not lie in neighbouring cells
   bool broken;                       ///< a particle is not finite or left its rows
 };
@@ -113,6 +117,7 @@ template <class Real>
 struct alignas(32) Gradients {
   static constexpr int width = 32 / sizeof(Real);
   Real of_block[chunk_blocks][4][width];
+  Real hoop[chunk_blocks][width];  ///< dt v_r / r, in a space that has it
 };
 
 /// The stress update of a material model.
@@ -153,6 +158,6 @@ InstructionSet best_instruction_set();
 
 /// `model`: place in the list of material/list.hpp.
 template <class Real>
-Kernels<Real> kernels_for(bool gimp, std::size_t model, InstructionSet);
+Kernels<Real> kernels_for(bool gimp, Space, std::size_t model, InstructionSet);
 
 }  // namespace mpm::fast

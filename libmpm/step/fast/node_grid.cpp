@@ -72,10 +72,9 @@ void NodeGrid<Real>::push_off_wall() {
 }
 
 template <class Real>
-void NodeGrid<Real>::copy_rows(Grid& grid, double rho0, int first, int last, int first_used,
+void NodeGrid<Real>::copy_rows(Grid& grid, double unit, int first, int last, int first_used,
                                int last_used) const {
   grid.grow_to_row(last);
-  const double unit = rho0 * grid.cell().x() * grid.cell().y();
   for (int j = std::max(first, -1); j <= last; ++j)
     for (int i = -1; i <= nodes_.columns + 1; ++i) {
       Node& to = grid.at(i, j);

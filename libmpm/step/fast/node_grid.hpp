@@ -24,7 +24,7 @@ class NodeGrid {
   /// `change_square`, where particles take it up together with that of the transfer.
   void push_off_wall();
 
-  void copy_rows(Grid&, double rho0, int first, int last, int first_used, int last_used) const;
+  void copy_rows(Grid&, double unit, int first, int last, int first_used, int last_used) const;
   void carry(Archive&);
   std::size_t memory() const;  ///< [bytes]
 

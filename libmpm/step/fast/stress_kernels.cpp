@@ -5,21 +5,21 @@
 namespace mpm::fast::MPM_ISA {
 namespace {
 
-template <class... Models>
+template <class Space, class... Models>
 StressUpdate<MPM_REAL> of_list(std::size_t model, ModelList<Models...>) {
   constexpr StressUpdate<MPM_REAL> updates[] = {
-      {UpdateStress<MPM_REAL, Models>::update, UpdateStress<MPM_REAL, Models>::report}...};
+      {UpdateStress<MPM_REAL, Models, Space>::update, UpdateStress<MPM_REAL, Models, Space>::report}...};
   return updates[model];
 }
 
 }  // namespace
 
 template <class Real>
-StressUpdate<Real> stress_update(std::size_t model);
+StressUpdate<Real> stress_update(std::size_t model, Space);
 
 template <>
-StressUpdate<MPM_REAL> stress_update(std::size_t model) {
-  return of_list(model, CompiledModels<MPM_REAL>{});
+StressUpdate<MPM_REAL> stress_update(std::size_t model, Space space) {
+  return space::with_space(space, [&]<class S>(S) { return of_list<S>(model, CompiledModels<MPM_REAL>{}); });
 }
 
 }  // namespace mpm::fast::MPM_ISA

@@ -7,18 +7,21 @@
 
 namespace mpm::fast::MPM_ISA {
 
-template <class Real, bool gimp>
+template <class Real, bool gimp, class Space>
 struct Sweep {
   using P = Pack<Real>;
   static constexpr int width = Lanes<Real>::width;
   static constexpr int half_size = Layout::half_size();
+  static constexpr bool has_hoop = Space::has_hoop;
+  static constexpr int sure_columns = Layout{gimp, Space::value, 0}.own();
+  using Weights = PackWeights<Real, has_hoop>;
 
   struct Chunk {
-    PackWeights<Real> weights[chunk_blocks];
+    Weights weights[chunk_blocks];
     Place<Real> place[chunk_blocks];
   };
 
-  static MPM_INLINE void weigh(const P* f, PackWeights<Real>& w) {
+  static MPM_INLINE void weigh(const P* f, Weights& w) {
     if constexpr (gimp) {
       gimp_axis<Real>(f[position_x], f[half_size], w.x, w.slope_x);
       gimp_axis<Real>(f[position_y], f[half_size + 1], w.y, w.slope_y);
@@ -26,23 +29,36 @@ struct Sweep {
       bspline2_axis<Real>(f[position_x], w.x, w.slope_x);
       bspline2_axis<Real>(f[position_y], w.y, w.slope_y);
     }
+    if constexpr (has_hoop && gimp) gimp_hoop<Real>(f[position_x], f[half_size], w.hoop);
+    if constexpr (has_hoop && !gimp) bspline2_hoop<Real>(w.x, f[half_size], w.hoop);
+  }
+
+  /// 1 / r [1/cells]. Lanes without a particle may lie on the axis.
+  static MPM_INLINE P inverse_radius(const P* f, const Nodes<Real>& nodes) {
+    const P stride = all(static_cast<Real>(nodes.stride)), inverse = 1 / stride;
+    P column = f[node] - stride * rounded<Real>((f[node] + Real(0.5)) * inverse - Real(0.5));
+    // where rounding has put a node at the end of a row into the next one
+    column = column < 0 ? column + stride : column;
+    column = column >= stride ? column - stride : column;
+    return 1 / larger(column + f[position_x], all(Real(1e-6)));
   }
 
   /// Lanes without a particle see nothing: their state stays what it is.
-  static MPM_INLINE void blind(const P* f, PackWeights<Real>& w) {
+  static MPM_INLINE void blind(const P* f, Weights& w) {
     const Mask<Real> present = f[initial_volume] > 0;
     for (int i = 0; i < 3; ++i) {
       w.x[i] = where<Real>(present, w.x[i]);
       w.slope_x[i] = where<Real>(present, w.slope_x[i]);
+      if constexpr (has_hoop) w.hoop[i] = where<Real>(present, w.hoop[i]);
     }
   }
 
   /// Motion and energy of a block from what it sees, and dt L, the gradient of its displacement: xx, xy, yx,
-  /// yy.
+  /// yy; along the hoop.
   template <Order order>
-  static MPM_INLINE void advance(P* f, const Nodes<Real>& nodes, const Place<Real>& place,
-                                 const PackWeights<Real>& w, const Constants<Real>& k, Real dt, P* sums,
-                                 P* gradient) {
+  static MPM_INLINE void advance(P* f, const Nodes<Real>& nodes, const Place<Real>& place, const Weights& w,
+                                 const Constants<Real>& k, Real dt, P* sums, P* gradient,
+                                 [[maybe_unused]] P* hoop) {
     const Reader<Real, order> reader(nodes, f[node], place);
     const Seen<Real> vx = see(reader, motion_x, w), dvx = see(reader, change_x, w);
     const Seen<Real> vy = see(reader, motion_y, w), dvy = see(reader, change_y, w);
@@ -55,8 +71,13 @@ struct Sweep {
     const P mean = f[Column::pressure] + f[viscous_pressure];
     const P middle_xx = xx - (half * to_x) * dvx.along_x, middle_yy = yy - (half * to_y) * dvy.along_y;
     const P middle_xy = (xy + yx) - ((half * to_y) * dvx.along_y + (half * to_x) * dvy.along_x);
-    const P power = (f[deviator_xx] - mean) * middle_xx + (f[deviator_yy] - mean) * middle_yy +
-                    f[deviator_xy] * middle_xy;
+    P power = (f[deviator_xx] - mean) * middle_xx + (f[deviator_yy] - mean) * middle_yy +
+              f[deviator_xy] * middle_xy;
+    if constexpr (has_hoop) {
+      const P per_radius = to_x * inverse_radius(f, nodes);
+      *hoop = per_radius * vx.hoop;
+      power -= (f[deviator_xx] + f[deviator_yy] + mean) * (per_radius * (vx.hoop - half * dvx.hoop));
+    }
     const P work = (k.inverse_rho0 * (1 + f[Column::dilation])) * power;
     const P square = see(reader, change_square, w).value;
     const P heat = half * (square - (dvx.value * dvx.value + dvy.value * dvy.value));
@@ -101,24 +122,28 @@ struct Sweep {
 
   /// What the block gives to the grid.
   static MPM_INLINE void give(const P* f, const Nodes<Real>& nodes, const Place<Real>& place,
-                              const PackWeights<Real>& w, const Constants<Real>& k) {
+                              const Weights& w, const Constants<Real>& k) {
     const P mass = f[initial_volume], volume = mass * (1 + f[Column::dilation]);
     const P mean = f[Column::pressure] + f[viscous_pressure];
     const P per_x = volume * k.force_x, per_y = volume * k.force_y;
-    const Given<Real> given{mass,
-                            mass * f[velocity_x],
-                            mass * f[velocity_y],
-                            (mean - f[deviator_xx]) * per_x,
-                            -f[deviator_xy] * per_x,
-                            -f[deviator_xy] * per_y,
-                            (mean - f[deviator_yy]) * per_y};
+    P hoop{};
+    if constexpr (has_hoop)
+      hoop = (mean + f[deviator_xx] + f[deviator_yy]) * per_x * inverse_radius(f, nodes);
+    const Given<Real, has_hoop> given{mass,
+                                      mass * f[velocity_x],
+                                      mass * f[velocity_y],
+                                      (mean - f[deviator_xx]) * per_x,
+                                      -f[deviator_xy] * per_x,
+                                      -f[deviator_xy] * per_y,
+                                      (mean - f[deviator_yy]) * per_y,
+                                      hoop};
     add(nodes, f[node], place, w, given);
   }
 
   static void scatter(const Band<Real>& band, const Nodes<Real>& nodes, const Constants<Real>& k) {
     const auto* f = reinterpret_cast<const P*>(band.blocks);
     for (std::size_t b = 0; b < band.count; ++b, f += band.columns) {
-      PackWeights<Real> w;
+      Weights w;
       weigh(f, w);
       give(f, nodes, place_of<Real>(f[node]), w, k);
     }
@@ -126,7 +151,7 @@ struct Sweep {
 
   /// Asks for a block before it is needed. Behind the last one this does no harm.
   static MPM_INLINE void prefetch(const P* block, int columns) {
-    constexpr int per_line = 64 / static_cast<int>(sizeof(P)), sure = Layout{gimp, 0}.own();
+    constexpr int per_line = 64 / static_cast<int>(sizeof(P)), sure = sure_columns;
 #pragma GCC unroll 16
     for (int c = 0; c < sure; c += per_line) __builtin_prefetch(block + c, 1);
     for (int c = (sure + per_line - 1) / per_line * per_line; c < columns; c += per_line)
@@ -163,17 +188,18 @@ struct Sweep {
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         prefetch(f + chunk_blocks * columns, columns);
         const Place<Real>& place = chunk.place[b];
-        const PackWeights<Real>& w = chunk.weights[b];
+        const Weights& w = chunk.weights[b];
         auto* const gradient = reinterpret_cast<P*>(gradients.of_block[b]);
+        auto* const hoop = reinterpret_cast<P*>(gradients.hoop[b]);
         if (place.in_step())
-          advance<Order::in_step>(f, nodes, place, w, k, dt, sums, gradient);
+          advance<Order::in_step>(f, nodes, place, w, k, dt, sums, gradient, hoop);
         else if (place.scattered())
-          advance<Order::scattered>(f, nodes, place, w, k, dt, sums, gradient);
+          advance<Order::scattered>(f, nodes, place, w, k, dt, sums, gradient, hoop);
         else
-          advance<Order::with_strays>(f, nodes, place, w, k, dt, sums, gradient);
+          advance<Order::with_strays>(f, nodes, place, w, k, dt, sums, gradient, hoop);
       });
-      stress.update(stress.model, reinterpret_cast<Real*>(first), count, columns, Layout{gimp, 0}.own(),
-                    gradients, inverse_dt, extremes);
+      stress.update(stress.model, reinterpret_cast<Real*>(first), count, columns, sure_columns, gradients,
+                    inverse_dt, extremes);
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         const P shift_x = rounded<Real>(f[position_x]), shift_y = rounded<Real>(f[position_y]);
         if (__builtin_expect(any((shift_x != 0) | (shift_y != 0)), 0)) {

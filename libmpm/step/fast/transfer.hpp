@@ -58,10 +58,10 @@ MPM_INLINE Place<Real> place_of(Pack<Real> node) {
   return place;
 }
 
-/// What a pack sees of a component of the nodes: N, dN/dxi, dN/deta.
+/// What a pack sees of a component of the nodes: N, dN/dxi, dN/deta, and with the weights of the hoop.
 template <class Real>
 struct Seen {
-  Pack<Real> value, along_x, along_y;
+  Pack<Real> value, along_x, along_y, hoop;
 };
 
 enum class Order { in_step, with_strays, scattered };
@@ -132,58 +132,63 @@ struct Reader<Real, Order::scattered> {
   }
 };
 
-template <class Real, Order order>
-MPM_INLINE Seen<Real> see(const Reader<Real, order>& nodes, int component, const PackWeights<Real>& w) {
+template <class Real, Order order, bool has_hoop>
+MPM_INLINE Seen<Real> see(const Reader<Real, order>& nodes, int component,
+                          const PackWeights<Real, has_hoop>& w) {
   using P = Pack<Real>;
   P value[3], slope[3];
+  [[maybe_unused]] P hoop{};
 #pragma GCC unroll 3
   for (int j = 0; j < 3; ++j) {
     P n[3];
     nodes(component, j, n);
     value[j] = w.x[0] * n[0] + w.x[1] * n[1] + w.x[2] * n[2];
     slope[j] = w.slope_x[0] * n[0] + w.slope_x[1] * n[1] + w.slope_x[2] * n[2];
+    if constexpr (has_hoop) hoop += w.y[j] * (w.hoop[0] * n[0] + w.hoop[1] * n[1] + w.hoop[2] * n[2]);
   }
   return {w.y[0] * value[0] + w.y[1] * value[1] + w.y[2] * value[2],
           w.y[0] * slope[0] + w.y[1] * slope[1] + w.y[2] * slope[2],
-          w.slope_y[0] * value[0] + w.slope_y[1] * value[1] + w.slope_y[2] * value[2]};
+          w.slope_y[0] * value[0] + w.slope_y[1] * value[1] + w.slope_y[2] * value[2], hoop};
 }
 
-/// What a pack gives to the grid: mass, momentum, and -V s / (rho0 h) for each slope.
-template <class Real>
+/// What a pack gives to the grid: mass, momentum, and -V s / (rho0 h) for each slope and for the hoop.
+template <class Real, bool has_hoop>
 struct Given {
-  Pack<Real> mass, momentum_x, momentum_y, xx_by_x, xy_by_x, xy_by_y, yy_by_y;
+  Pack<Real> mass, momentum_x, momentum_y, xx_by_x, xy_by_x, xy_by_y, yy_by_y, hoop;
 
   /// That of some lanes.
   MPM_INLINE Given of(Mask<Real> lanes) const {
-    return {where<Real>(lanes, mass),    where<Real>(lanes, momentum_x), where<Real>(lanes, momentum_y),
-            where<Real>(lanes, xx_by_x), where<Real>(lanes, xy_by_x),    where<Real>(lanes, xy_by_y),
-            where<Real>(lanes, yy_by_y)};
+    return {where<Real>(lanes, mass),       where<Real>(lanes, momentum_x),
+            where<Real>(lanes, momentum_y), where<Real>(lanes, xx_by_x),
+            where<Real>(lanes, xy_by_x),    where<Real>(lanes, xy_by_y),
+            where<Real>(lanes, yy_by_y),    has_hoop ? where<Real>(lanes, hoop) : hoop};
   }
 };
 
 /// What a pack gives to row j: by column of the stencil, its sums.
-template <class Real>
+template <class Real, bool has_hoop>
 struct GivenToRow {
-  Pack<Real> mass, momentum_x, momentum_y, xx_by_x, xy_by_x, xy_by_y, yy_by_y;
-  MPM_INLINE GivenToRow(const Given<Real>& g, const PackWeights<Real>& w, int j)
+  Pack<Real> mass, momentum_x, momentum_y, xx_by_x, xy_by_x, xy_by_y, yy_by_y, hoop;
+  MPM_INLINE GivenToRow(const Given<Real, has_hoop>& g, const PackWeights<Real, has_hoop>& w, int j)
       : mass(w.y[j] * g.mass),
         momentum_x(w.y[j] * g.momentum_x),
         momentum_y(w.y[j] * g.momentum_y),
         xx_by_x(w.y[j] * g.xx_by_x),
         xy_by_x(w.y[j] * g.xy_by_x),
         xy_by_y(w.slope_y[j] * g.xy_by_y),
-        yy_by_y(w.slope_y[j] * g.yy_by_y) {}
+        yy_by_y(w.slope_y[j] * g.yy_by_y),
+        hoop(has_hoop ? w.y[j] * g.hoop : g.hoop) {}
 };
 
-template <class Real>
-MPM_INLINE void add_in_step(const Nodes<Real>& nodes, std::int32_t first_node, const PackWeights<Real>& w,
-                            const Given<Real>& given) {
+template <class Real, bool has_hoop>
+MPM_INLINE void add_in_step(const Nodes<Real>& nodes, std::int32_t first_node,
+                            const PackWeights<Real, has_hoop>& w, const Given<Real, has_hoop>& given) {
   using P = Pack<Real>;
   constexpr int entries = 3 * sum_components;
   Real* const first = nodes.sums + entries * static_cast<std::ptrdiff_t>(first_node);
 #pragma GCC unroll 3
   for (int j = 0; j < 3; ++j) {
-    const GivenToRow<Real> g(given, w, j);
+    const GivenToRow<Real, has_hoop> g(given, w, j);
     P* const sums = reinterpret_cast<P*>(first + j * entries * static_cast<std::ptrdiff_t>(nodes.stride));
 #pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
@@ -192,19 +197,20 @@ MPM_INLINE void add_in_step(const Nodes<Real>& nodes, std::int32_t first_node, c
       sums[3 * momentum_of_x + i] += x * g.momentum_x;
       sums[3 * momentum_of_y + i] += x * g.momentum_y;
       sums[3 * force_of_x + i] = x * g.xy_by_y + (slope * g.xx_by_x + sums[3 * force_of_x + i]);
+      if constexpr (has_hoop) sums[3 * force_of_x + i] += w.hoop[i] * g.hoop;
       sums[3 * force_of_y + i] = x * g.yy_by_y + (slope * g.xy_by_x + sums[3 * force_of_y + i]);
     }
   }
 }
 
 /// Of the strays.
-template <class Real>
+template <class Real, bool has_hoop>
 MPM_INLINE void add_one_by_one(const Nodes<Real>& nodes, const Pack<Real>& node, const Place<Real>& place,
-                               const PackWeights<Real>& w, const Given<Real>& given) {
+                               const PackWeights<Real, has_hoop>& w, const Given<Real, has_hoop>& given) {
   using P = Pack<Real>;
   constexpr int width = Lanes<Real>::width, entries = 3 * sum_components;
   for (int j = 0; j < 3; ++j) {
-    const GivenToRow<Real> g(given, w, j);
+    const GivenToRow<Real, has_hoop> g(given, w, j);
     P sums[entries];
     for (int i = 0; i < 3; ++i) {
       const P x = w.x[i], slope = w.slope_x[i];
@@ -212,6 +218,7 @@ MPM_INLINE void add_one_by_one(const Nodes<Real>& nodes, const Pack<Real>& node,
       sums[3 * momentum_of_x + i] = x * g.momentum_x;
       sums[3 * momentum_of_y + i] = x * g.momentum_y;
       sums[3 * force_of_x + i] = x * g.xy_by_y + slope * g.xx_by_x;
+      if constexpr (has_hoop) sums[3 * force_of_x + i] += w.hoop[i] * g.hoop;
       sums[3 * force_of_y + i] = x * g.yy_by_y + slope * g.xy_by_x;
     }
     for (int s = 0; s < place.strays; ++s) {
@@ -223,9 +230,9 @@ MPM_INLINE void add_one_by_one(const Nodes<Real>& nodes, const Pack<Real>& node,
   }
 }
 
-template <class Real>
+template <class Real, bool has_hoop>
 MPM_INLINE void add(const Nodes<Real>& nodes, const Pack<Real>& node, const Place<Real>& place,
-                    const PackWeights<Real>& w, const Given<Real>& given) {
+                    const PackWeights<Real, has_hoop>& w, const Given<Real, has_hoop>& given) {
   if (place.in_step()) {
     add_in_step(nodes, place.first, w, given);
     return;

@@ -5,14 +5,16 @@
 namespace mpm::fast::MPM_ISA {
 
 template <class Real>
-Transfers<Real> transfers(bool gimp);
+Transfers<Real> transfers(bool gimp, Space);
 
 template <>
-Transfers<MPM_REAL> transfers(bool gimp) {
+Transfers<MPM_REAL> transfers(bool gimp, Space space) {
   using Real = MPM_REAL;
-  if (gimp)
-    return {Sweep<Real, true>::scatter, Sweep<Real, true>::sweep, collect_nodes<Real>, move_nodes<Real>};
-  return {Sweep<Real, false>::scatter, Sweep<Real, false>::sweep, collect_nodes<Real>, move_nodes<Real>};
+  const auto of = []<class S>(S) -> Transfers<Real> {
+    return {S::scatter, S::sweep, collect_nodes<Real>, move_nodes<Real>};
+  };
+  return space::with_space(
+      space, [&]<class S>(S) { return gimp ? of(Sweep<Real, true, S>{}) : of(Sweep<Real, false, S>{}); });
 }
 
 }  // namespace mpm::fast::MPM_ISA

@@ -6,10 +6,10 @@
 
 namespace mpm::fast::MPM_ISA {
 
-template <class Real, class Model>
+template <class Real, class Model, class Space>
 struct UpdateStress {
   using P = Pack<Real>;
-  static_assert(MaterialModelOver<Model, P>);
+  static_assert(MaterialModelOver<Model, P, Space>);
 
   /// Extremes as packs.
   struct ExtremePacks {
@@ -47,10 +47,14 @@ struct UpdateStress {
       P* f = first;
       for (int b = 0; b < count; ++b, f += columns) work(f, b);
     };
-    Strain<P> strain[chunk_blocks];
+    Strain<P, Space> strain[chunk_blocks];
     each_block([&](P * f, int b) __attribute__((always_inline)) {
       const auto* const l = reinterpret_cast<const P*>(gradients.of_block[b]);
-      strain[b] = strain_over<P>(f[Column::dilation], {l[0], l[1], l[2], l[3]}, model);
+      const auto* const hoop = reinterpret_cast<const P*>(gradients.hoop[b]);
+      if constexpr (Space::has_hoop)
+        strain[b] = strain_over<P, Space>(f[Column::dilation], {l[0], l[1], l[2], l[3]}, model, *hoop);
+      else
+        strain[b] = strain_over<P>(f[Column::dilation], {l[0], l[1], l[2], l[3]}, model);
     });
     each_block([&](P * f, int b) __attribute__((always_inline)) {
       Deviator<P> stress{f[deviator_xx], f[deviator_yy], f[deviator_xy]};

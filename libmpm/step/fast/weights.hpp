@@ -4,9 +4,17 @@
 
 namespace mpm::fast::MPM_ISA {
 
-/// Weights and slopes of a pack on the three nodes an axis of each of its particles.
+/// Of the hoop, see HoopShape in shape/shape.hpp.
+template <class Real, bool has_hoop>
+struct HoopWeights {};
 template <class Real>
-struct PackWeights {
+struct HoopWeights<Real, true> {
+  Pack<Real> hoop[3];
+};
+
+/// Weights and slopes of a pack on the three nodes an axis of each of its particles.
+template <class Real, bool has_hoop = false>
+struct PackWeights : HoopWeights<Real, has_hoop> {
   Pack<Real> x[3], slope_x[3], y[3], slope_y[3];
 };
 
@@ -42,6 +50,25 @@ MPM_INLINE void gimp_axis(Pack<Real> d, Pack<Real> half, Pack<Real>* value, Pack
   slope[2] = -slope[2];
   value[1] = 1 - (value[0] + value[2]);
   slope[1] = -(slope[0] + slope[2]);
+}
+
+/// BSpline2::hoop, from the weights of the same axis.
+template <class Real>
+MPM_INLINE void bspline2_hoop(const Pack<Real>* value, Pack<Real> half, Pack<Real>* hoop) {
+  const Pack<Real> bend = Real(0.5) * half * half;
+  hoop[0] = value[0] + bend, hoop[1] = value[1] - 2 * bend, hoop[2] = value[2] + bend;
+}
+
+/// Gimp::hoop; d: distance from the nearest node, -1/2 ... 1/2.
+template <class Real>
+MPM_INLINE void gimp_hoop(Pack<Real> d, Pack<Real> half, Pack<Real>* hoop) {
+  const Pack<Real> l = smaller(half, all<Real>(0.5));
+  const auto hat = [](Pack<Real> x) __attribute__((always_inline)) {
+    return larger(1 - larger(x, -x), Pack<Real>{});
+  };
+  hoop[0] = Real(0.5) * (hat(1 + d + l) + hat(1 + d - l));
+  hoop[2] = Real(0.5) * (hat(1 - d + l) + hat(1 - d - l));
+  hoop[1] = 1 - (hoop[0] + hoop[2]);
 }
 
 }  // namespace mpm::fast::MPM_ISA

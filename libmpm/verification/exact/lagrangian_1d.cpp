@@ -23,7 +23,7 @@ Lagrangian1d::Lagrangian1d(const ElasticPlasticSolid& solid, Geometry geometry, 
   if (position_.size() < 2 || velocity_.size() != position_.size())
     throw std::invalid_argument("lagrangian_1d: at least two nodes, and a velocity for each");
   for (std::size_t k = 0; k + 1 < position_.size(); ++k) {
-    const double volume = middle(k) * length(k);
+    const double volume = area(k) * length(k);
     if (!(volume > 0)) throw std::invalid_argument("lagrangian_1d: positions must rise, radii be positive");
     cells_.push_back({.mass = solid_.fluid.density * volume, .volume = volume, .strain_rate = 0});
     node_mass_[k] += cells_[k].mass / 2;
@@ -31,8 +31,8 @@ Lagrangian1d::Lagrangian1d(const ElasticPlasticSolid& solid, Geometry geometry, 
   }
 }
 
-double Lagrangian1d::middle(std::size_t k) const {
-  return geometry_ == Geometry::planar ? 1 : (position_[k] + position_[k + 1]) / 2;
+double Lagrangian1d::area(std::size_t k) const {
+  return hoops() == 0 ? 1 : hoops() == 1 ? middle(k) : square(middle(k));
 }
 
 double Lagrangian1d::normal_stress(std::size_t cell) const {
@@ -67,8 +67,9 @@ void Lagrangian1d::accelerate(double dt) {
   for (std::size_t k = 0; k < cells_.size(); ++k) {
     const Cell& c = cells_[k];
     const double mean = -(c.pressure + c.viscous);
-    const double along = middle(k) * (c.s1 + mean);
-    const double hoop = geometry_ == Geometry::planar ? 0 : length(k) * (c.s2 + mean) / 2;
+    const double along = area(k) * (c.s1 + mean);
+    // a node moves ln r_mid by 1 / (2 r_mid)
+    const double hoop = hoops() * area(k) * length(k) * (c.s2 + mean) / (2 * middle(k));
     force[k] += along - hoop;
     force[k + 1] -= along + hoop;
   }
@@ -78,11 +79,12 @@ void Lagrangian1d::accelerate(double dt) {
 
 void Lagrangian1d::deform(Cell& c, double d_eps_1, double d_eps_2, double volume, double length,
                           double dt) const {
-  const double g2 = 2 * solid_.shear_modulus, mean = (d_eps_1 + d_eps_2) / 3;
-  const double old1 = c.s1, old2 = c.s2;
+  const double d_eps_3 = hoops() == 2 ? d_eps_2 : 0;
+  const double g2 = 2 * solid_.shear_modulus, growth = d_eps_1 + d_eps_2 + d_eps_3, mean = growth / 3;
+  const double old1 = c.s1, old2 = c.s2, old3 = c.s3;
   c.s1 += g2 * (d_eps_1 - mean);
   c.s2 += g2 * (d_eps_2 - mean);
-  c.s3 -= g2 * mean;
+  c.s3 += g2 * (d_eps_3 - mean);
   const double trial = std::sqrt(1.5 * (square(c.s1) + square(c.s2) + square(c.s3)));
   const double yield = solid_.yield_stress + solid_.hardening * c.plastic_strain;
   if (trial > yield) {
@@ -91,14 +93,15 @@ void Lagrangian1d::deform(Cell& c, double d_eps_1, double d_eps_2, double volume
     c.s1 *= kept, c.s2 *= kept, c.s3 *= kept;
     c.plastic_strain += plastic;
   }
-  c.strain_rate = (d_eps_1 + d_eps_2) / dt;
+  c.strain_rate = growth / dt;
   const double squeeze = std::max(-c.strain_rate, 0.0) * length;
   c.viscous = c.mass / volume * squeeze *
               (options_.linear_viscosity * solid_.fluid.sound_speed + options_.quadratic_viscosity * squeeze);
 
   // e' = e - ((P + P')/2 + q) dv + v s : d_eps with P' = cold + gamma0 rho0 e': solved for P'.
   const double v = volume / c.mass, dv = v - c.volume / c.mass;
-  const double work = (v - dv / 2) * ((old1 + c.s1) * d_eps_1 + (old2 + c.s2) * d_eps_2) / 2;
+  const double work =
+      (v - dv / 2) * ((old1 + c.s1) * d_eps_1 + (old2 + c.s2) * d_eps_2 + (old3 + c.s3) * d_eps_3) / 2;
   const double thermal = solid_.fluid.gamma * solid_.fluid.density;
   const double without = c.energy - (c.pressure / 2 + c.viscous) * dv + work;
   const double next = (solid_.fluid.pressure(1 / v, 0) + thermal * without) / (1 + thermal * dv / 2);
@@ -115,8 +118,8 @@ void Lagrangian1d::advance(double longest) {
   for (std::size_t k = 0; k < cells_.size(); ++k) before[k] = length(k), before_middle[k] = middle(k);
   for (std::size_t j = 0; j < position_.size(); ++j) position_[j] += dt * velocity_[j];
   for (std::size_t k = 0; k < cells_.size(); ++k)
-    deform(cells_[k], std::log(length(k) / before[k]), std::log(middle(k) / before_middle[k]),
-           middle(k) * length(k), length(k), dt);
+    deform(cells_[k], std::log(length(k) / before[k]),
+           hoops() == 0 ? 0 : std::log(middle(k) / before_middle[k]), area(k) * length(k), length(k), dt);
   time_ += dt;
 }
 
@@ -137,13 +140,15 @@ std::vector<ImpactSample> impact_history(const ElasticPlasticSolid& solid, doubl
 }
 
 ShellStop compressible_shell_stop(const ElasticPlasticSolid& solid, double inner_radius, double outer_radius,
-                                  double inner_speed, int cells) {
+                                  double inner_speed, int cells, bool spherical) {
   std::vector<double> r, v;
   for (int j = 0; j <= cells; ++j) {
     r.push_back(inner_radius + (outer_radius - inner_radius) * j / cells);
-    v.push_back(-inner_speed * inner_radius / r.back());
+    const double ratio = inner_radius / r.back();
+    v.push_back(-inner_speed * (spherical ? square(ratio) : ratio));
   }
-  Lagrangian1d code(solid, Lagrangian1d::Geometry::cylindrical, r, v, {});
+  using Geometry = Lagrangian1d::Geometry;
+  Lagrangian1d code(solid, spherical ? Geometry::spherical : Geometry::cylindrical, r, v, {});
   ShellStop stop{false, inner_radius, 0};
   const double scale = inner_radius / inner_speed;
   while (stop.time == 0 || code.time() < 1.3 * stop.time) {

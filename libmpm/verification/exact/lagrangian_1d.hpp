@@ -11,15 +11,16 @@ namespace mpm::verification::exact {
 /// (reflections, elastic waves, compressibility), at as many cells as it takes. Shares no code with step/.
 ///
 /// Nodes j carry position and velocity, cells between them stress and energy (von Neumann & Richtmyer 1950,
-/// J. Appl. Phys. 21, 232; Wilkins 1964). With A = 1 (planar) or r (cylindrical, per radian, plane strain):
-///   V = dr (planar), r_mid dr (cylindrical);   d_eps_1 = ln(dr'/dr),   d_eps_2 = ln(r_mid'/r_mid) or 0
+/// J. Appl. Phys. 21, 232; Wilkins 1964). With A = 1 (planar), r_mid (cylindrical, per radian, plane strain)
+/// or r_mid^2 (spherical, per steradian):
+///   V = A dr;   d_eps_1 = ln(dr'/dr),   d_eps_2 = ln(r_mid'/r_mid) along 0, 1 or 2 hoops
 ///   m_j du_j/dt = sum over the two cells of -d(V eps : sigma)/d(eps of node j)   (virtual work)
 ///   s by radial return with linear isotropic hardening;   de = -(P + q) dv + v s : d_eps
 ///   q = rho dr |theta| (q1 c0 + q2 dr |theta|) in compression
 /// Energy is exact up to second order in the time step. P is positive in compression, stresses in tension.
 class Lagrangian1d {
  public:
-  enum class Geometry { planar, cylindrical };
+  enum class Geometry { planar, cylindrical, spherical };  ///< by the number of hoops
   struct Options {
     double linear_viscosity = 0.5;     ///< q1 [1]
     double quadratic_viscosity = 1.5;  ///< q2 [1]
@@ -39,7 +40,7 @@ class Lagrangian1d {
   const std::vector<double>& positions() const { return position_; }
   const std::vector<double>& velocities() const { return velocity_; }
   double normal_stress(std::size_t cell) const;  ///< compression positive, without q [Pa]
-  double energy() const;                         ///< kinetic + internal, per area or per radian
+  double energy() const;                         ///< kinetic + internal, per area, radian or steradian
 
  private:
   struct Cell {
@@ -47,7 +48,9 @@ class Lagrangian1d {
     double s1 = 0, s2 = 0, s3 = 0;     ///< deviator [Pa]
     double pressure = 0, viscous = 0, energy = 0, plastic_strain = 0;
   };
-  double middle(std::size_t cell) const;
+  double middle(std::size_t cell) const { return (position_[cell] + position_[cell + 1]) / 2; }
+  double area(std::size_t cell) const;  ///< A
+  int hoops() const { return static_cast<int>(geometry_); }
   double length(std::size_t cell) const { return position_[cell + 1] - position_[cell]; }
   double stable_step() const;
   void accelerate(double dt);
@@ -73,8 +76,8 @@ std::vector<ImpactSample> impact_history(const ElasticPlasticSolid&, double impa
                                          Lagrangian1d::Options options = {});
 
 /// The imploding shell of verney.hpp, but compressible and with elastic strains: where and when its inner
-/// radius is smallest. `solid` gives density, yield stress and hardening.
+/// radius is smallest. `solid` gives density, yield stress and hardening. Cylinder or sphere.
 ShellStop compressible_shell_stop(const ElasticPlasticSolid& solid, double inner_radius, double outer_radius,
-                                  double inner_speed, int cells);
+                                  double inner_speed, int cells, bool spherical = false);
 
 }  // namespace mpm::verification::exact

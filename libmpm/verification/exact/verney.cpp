@@ -22,12 +22,14 @@ void check(const ImplodingShell& shell) {
 }
 
 double square(double x) { return x * x; }
+double cube(double x) { return x * x * x; }
 
 /// x ln x, continued by its limit at 0. Here x = (r/a0)^2: F is the same in any unit of length, times a0^2.
 double x_log_x(double x) { return x > 0 ? x * std::log(x) : 0; }
 
-/// integral_a^b ln(1 + c/r^2) / r dr, by 8-point Gauss-Legendre on panels in ln r.
-double strain_integral(double a, double b, double c) {
+/// integral_a^b f(r) dr / r, by 8-point Gauss-Legendre on panels in ln r.
+template <class Function>
+double logarithmic_integral(double a, double b, Function f) {
   static constexpr std::array<double, 4> node = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                                                  0.9602898564975363};
   static constexpr std::array<double, 4> weight = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
@@ -40,24 +42,32 @@ double strain_integral(double a, double b, double c) {
     const double middle = (2 * p + 1) * half;
     for (std::size_t i = 0; i < node.size(); ++i)
       for (const double s : {-half * node[i], half * node[i]})
-        sum += half * weight[i] * std::log1p(c / square(a * std::exp(middle + s)));
+        sum += half * weight[i] * f(a * std::exp(middle + s));
   }
   return sum;
 }
 
 struct Motion {
   double radius;  ///< a [m]
-  double flux;    ///< A = a da/dt [m^2/s]
+  double flux;    ///< A = a da/dt [m^2/s], of a sphere a^2 da/dt [m^3/s]
 };
 
 Motion rate(const ImplodingShell& shell, const Motion& m) {
-  const double b = outer_radius(shell, m.radius);
+  const double b = outer_radius(shell, m.radius), flux_square = square(m.flux);
+  if (shell.spherical) {
+    const double c = cube(shell.inner_radius) - cube(m.radius);
+    const double strains =
+        logarithmic_integral(m.radius, b, [=](double r) { return 2.0 / 3 * std::log1p(c / cube(r)); });
+    const double resistance = 2 * (shell.yield_stress * std::log(b / m.radius) + shell.hardening * strains);
+    const double inertia = flux_square / 2 * (1 / square(square(m.radius)) - 1 / square(square(b)));
+    return {m.flux / square(m.radius), (resistance / shell.density + inertia) / (1 / m.radius - 1 / b)};
+  }
   const double c = square(shell.inner_radius) - square(m.radius);
+  const double strains =
+      logarithmic_integral(m.radius, b, [=](double r) { return std::log1p(c / square(r)); });
   const double thickness = std::log(b / m.radius);
-  const double resistance =
-      2 / sqrt3 *
-      (shell.yield_stress * thickness + shell.hardening / sqrt3 * strain_integral(m.radius, b, c));
-  const double inertia = square(m.flux) / 2 * (1 / square(m.radius) - 1 / square(b));
+  const double resistance = 2 / sqrt3 * (shell.yield_stress * thickness + shell.hardening / sqrt3 * strains);
+  const double inertia = flux_square / 2 * (1 / square(m.radius) - 1 / square(b));
   return {m.flux / m.radius, (resistance / shell.density + inertia) / thickness};
 }
 
@@ -74,6 +84,8 @@ Motion step(const ImplodingShell& shell, const Motion& m, double h) {
 }  // namespace
 
 double outer_radius(const ImplodingShell& shell, double inner_radius) {
+  if (shell.spherical)
+    return std::cbrt(cube(shell.outer_radius) - cube(shell.inner_radius) + cube(inner_radius));
   return std::sqrt(square(shell.outer_radius) - square(shell.inner_radius) + square(inner_radius));
 }
 
@@ -82,6 +94,14 @@ double verney_speed(const ImplodingShell& shell, double stop_radius) {
   if (shell.hardening != 0) throw std::invalid_argument("verney_speed: exact without hardening only");
   if (!(stop_radius >= 0 && stop_radius <= shell.inner_radius))
     throw std::invalid_argument("verney_speed: stop radius must lie within the initial inner radius");
+  if (shell.spherical) {
+    const double q = shell.outer_radius / shell.inner_radius, c = cube(q) - 1;
+    // below the thousandth part of the first radius nothing is left to be added
+    const double from = std::max(stop_radius / shell.inner_radius, 1e-3);
+    const double f =
+        logarithmic_integral(from, 1, [=](double x) { return cube(x) * std::log1p(c / cube(x)); });
+    return std::sqrt(4.0 / 3 * shell.yield_stress * q * f / (shell.density * (q - 1)));
+  }
   const double a = square(stop_radius / shell.inner_radius);
   const double b0 = square(shell.outer_radius / shell.inner_radius);
   const double f = x_log_x(b0) - x_log_x(b0 - 1 + a) + x_log_x(a);
@@ -97,11 +117,12 @@ double verney_stop_radius(const ImplodingShell& shell, double inner_speed) {
 ShellStop verney_stop(const ImplodingShell& shell, double inner_speed) {
   check(shell);
   if (!(inner_speed > 0)) throw std::invalid_argument("verney_stop: speed must be positive");
-  Motion m{shell.inner_radius, -inner_speed * shell.inner_radius};
+  const double a0 = shell.inner_radius;
+  Motion m{a0, -inner_speed * (shell.spherical ? square(a0) : a0)};
   double time = 0;
   // A step moves the radius, or what is left of the flux, by a thousandth at most.
   while (m.radius > shell.inner_radius / 1000) {
-    const double h = std::min(square(m.radius) / -m.flux, shell.inner_radius / inner_speed) / 1000;
+    const double h = std::min(-m.radius / rate(shell, m).radius, a0 / inner_speed) / 1000;
     const Motion next = step(shell, m, h);
     if (next.flux >= 0) {
       const double part = bisect([&](double f) { return step(shell, m, f * h).flux; }, 0, 1);

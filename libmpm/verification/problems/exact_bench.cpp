@@ -25,6 +25,13 @@ ExactNumbers shell(const ExactOptions& o) {
   return imploding_shell_numbers(shell_speeds[Row], Hardening, o);
 }
 
+/// Stop at 0.75, 0.625, 0.5 of the inner radius: closed form.
+constexpr double sphere_speeds[] = {234.7, 277.3, 306.9};
+template <int Row>
+ExactNumbers sphere(const ExactOptions& o) {
+  return imploding_sphere_numbers(sphere_speeds[Row], o);
+}
+
 const ExactProblem ladder[] = {
     {"hugoniot", "material point behind a steady shock, 20 to 3000 m/s: jump conditions", hugoniot_numbers},
     {"uniaxial-path", "material point loaded, unloaded and loaded again in uniaxial strain",
@@ -47,6 +54,9 @@ const ExactProblem ladder[] = {
     {"shell-185-hardening", "imploding shell, 185.0 m/s, H = 470.3 MPa", shell<1, true>},
     {"shell-225-hardening", "imploding shell, 225.0 m/s, H = 470.3 MPa", shell<2, true>},
     {"shell-255-hardening", "imploding shell, 256.0 m/s, H = 470.3 MPa", shell<3, true>},
+    {"sphere-234", "imploding sphere in axisymmetry, 234.7 m/s, perfectly plastic", sphere<0>},
+    {"sphere-277", "imploding sphere in axisymmetry, 277.3 m/s, perfectly plastic", sphere<1>},
+    {"sphere-306", "imploding sphere in axisymmetry, 306.9 m/s, perfectly plastic", sphere<2>},
     {"axis-aligned", "manufactured solution at 16 % strain: order of convergence", axis_aligned_numbers},
     {"vortex", "generalised vortex: order of convergence", vortex_numbers},
     {"vibrating-bar", "first mode of a bar fixed at one end", vibrating_bar_numbers},

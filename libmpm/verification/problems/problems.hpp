@@ -21,6 +21,9 @@ ExactNumbers surface_history_numbers(const ExactOptions&);
 /// [m/s]. 0.05 um cells.
 ExactNumbers imploding_shell_numbers(double inner_speed, bool hardening, const ExactOptions&);
 
+/// ... a sphere of the same radii, in axisymmetry.
+ExactNumbers imploding_sphere_numbers(double inner_speed, const ExactOptions&);
+
 // elastic_numbers.cpp: neo-Hookean bodies.
 ExactNumbers axis_aligned_numbers(const ExactOptions&);
 ExactNumbers vortex_numbers(const ExactOptions&);

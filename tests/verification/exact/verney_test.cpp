@@ -32,6 +32,24 @@ TEST(Verney, AgreesWithEveryRowOfTheTable) {
   }
 }
 
+/// Computed for the design of this problem by another program: stop radius, speed, time, outer radius.
+TEST(Verney, BerylliumSphere) {
+  ImplodingShell sphere = beryllium;
+  sphere.spherical = true;
+  const struct {
+    double stop, speed, time, outer;
+  } rows[] = {{30e-3, 675.04, 103.3e-6, 80.16e-3},
+              {40e-3, 619.79, 98.99e-6, 82.03e-3},
+              {50e-3, 545.14, 91.68e-6, 84.95e-3}};
+  for (const auto& row : rows) {
+    EXPECT_NEAR(verney_speed(sphere, row.stop), row.speed, 0.006);
+    EXPECT_NEAR(outer_radius(sphere, row.stop), row.outer, 0.006e-3);
+    const ShellStop stop = verney_stop(sphere, row.speed);
+    EXPECT_NEAR(stop.radius / row.stop, 1, 1e-4);
+    EXPECT_NEAR(stop.time / row.time, 1, 5e-4);
+  }
+}
+
 TEST(Verney, BerylliumOfTheLiterature) {
   EXPECT_NEAR(outer_radius(beryllium, 50e-3), 78.10e-3, 0.005e-3);
   EXPECT_NEAR(verney_speed(beryllium, 50e-3), 417.079, 417 * 2e-6);

@@ -1,0 +1,46 @@
+#pragma once
+/// How many of the three dimensions a scene is computed in. A space is a type: a template parameter of the
+/// step, whose differences stand here and behind `has_hoop`.
+#include "libmpm/core/symmetric.hpp"
+
+namespace mpm {
+
+enum class Space {
+  plane_strain,  ///< x, y; nothing moves or changes along z. Volumes, masses and energies are per depth
+  axisymmetric,  ///< x is the distance from the axis of symmetry, y runs along it. Volumes, masses and
+                 ///< energies are per radian: a body of revolution has 2 pi times as much
+};
+
+/// What two lengths are to two, and three lengths to three: an area, or a volume per radian.
+constexpr int lengths_in_volume(Space space) { return space == Space::axisymmetric ? 3 : 2; }
+
+namespace space {
+
+struct PlaneStrain {
+  static constexpr Space value = Space::plane_strain;
+  /// Whether motion across the axis strains the material along the hoop, and the stress there drives it.
+  static constexpr bool has_hoop = false;
+  template <class N>
+  using Increment = PlaneIncrement<N>;
+};
+
+/// With r = x and v_r = v_x:
+///   m_p = rho A r_p,   V_p = A r_p   (per radian)
+///   f_i = - V_p (sigma_p grad w_ip + (sigma_zz h_ip / r_p, 0)),   L_zz = sum v_r h_ip / r_p
+/// with zz along the hoop and h the hoop weights of the shape function, see HoopShape in shape/shape.hpp.
+/// Source: Nairn & Guilkey 2015, Int. J. Numer. Meth. Engng 101, 127. The axis is a mirror.
+struct Axisymmetric {
+  static constexpr Space value = Space::axisymmetric;
+  static constexpr bool has_hoop = true;
+  template <class N>
+  using Increment = AxialIncrement<N>;
+};
+
+/// Calls `use` with the type of a space.
+template <class Use>
+auto with_space(Space space, Use use) {
+  return space == Space::axisymmetric ? use(Axisymmetric{}) : use(PlaneStrain{});
+}
+
+}  // namespace space
+}  // namespace mpm
