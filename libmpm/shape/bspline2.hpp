@@ -20,11 +20,16 @@ struct BSpline2 {
     w.slope = {d - 0.5, -2 * d, d + 0.5};
     return w;
   }
-  /// S + (l^2 / 2) S'': exact where S is one parabola over the particle, as it is at rest with an even number
-  /// of particles per edge of a cell.
+  /// S + c (1, -2, 1) on the three nodes, with
+  ///   c(d) = (l^2 / 2) (1/4 - d^2)^2 / (1/30 + 7 l^4 / 15).
+  /// Where S is one parabola over the particle, S + (l^2 / 2) (1, -2, 1) is its integral. But that does not
+  /// vanish where S does: a node with next to no mass would be driven by a finite force. c is spread so that
+  /// it vanishes with S, and sums to the same over the particles nearest to a node: midpoints of an even
+  /// number of particles per edge have 1/30 + 7 l^4 / 15 as the mean of (1/4 - d^2)^2.
   static std::array<double, 3> hoop(double xi, double half) {
     const Weights w = evaluate(xi, half);
-    const double bend = 0.5 * half * half;
+    const double d = xi - (w.first + 1), inside = 0.25 - d * d, square = half * half;
+    const double bend = 0.5 * square * inside * inside / (1.0 / 30 + 7.0 / 15 * square * square);
     return {w.value[0] + bend, w.value[1] - 2 * bend, w.value[2] + bend};
   }
   static void follow(const Grid&, Particles&, std::size_t, const Mat2&) {}

@@ -30,7 +30,7 @@ struct Sweep {
       bspline2_axis<Real>(f[position_y], w.y, w.slope_y);
     }
     if constexpr (has_hoop && gimp) gimp_hoop<Real>(f[position_x], f[half_size], w.hoop);
-    if constexpr (has_hoop && !gimp) bspline2_hoop<Real>(w.x, f[half_size], w.hoop);
+    if constexpr (has_hoop && !gimp) bspline2_hoop<Real>(f[position_x], w.x, f[half_size], w.hoop);
   }
 
   /// 1 / r [1/cells]. Lanes without a particle may lie on the axis.

@@ -52,10 +52,12 @@ MPM_INLINE void gimp_axis(Pack<Real> d, Pack<Real> half, Pack<Real>* value, Pack
   slope[1] = -(slope[0] + slope[2]);
 }
 
-/// BSpline2::hoop, from the weights of the same axis.
+/// BSpline2::hoop, from the weights of the same axis. d: distance from the nearest node, -1/2 ... 1/2.
 template <class Real>
-MPM_INLINE void bspline2_hoop(const Pack<Real>* value, Pack<Real> half, Pack<Real>* hoop) {
-  const Pack<Real> bend = Real(0.5) * half * half;
+MPM_INLINE void bspline2_hoop(Pack<Real> d, const Pack<Real>* value, Pack<Real> half, Pack<Real>* hoop) {
+  const Pack<Real> inside = Real(0.25) - d * d, square = half * half;
+  const Pack<Real> bend =
+      Real(0.5) * square * inside * inside / (Real(1.0 / 30) + Real(7.0 / 15) * square * square);
   hoop[0] = value[0] + bend, hoop[1] = value[1] - 2 * bend, hoop[2] = value[2] + bend;
 }
 
