@@ -1,8 +1,8 @@
 #pragma once
 #include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace mpm {
 
@@ -47,8 +47,8 @@ struct Material {
   double hardening_per_equivalent_strain() const;                                       ///< H [Pa]
 };
 
-/// The named materials. Throws std::out_of_range for a name that is not in material_names().
+/// The named materials (named.cpp). Throws std::out_of_range for a name that is not in material_names().
 Material named_material(std::string_view name);
-std::vector<std::string> material_names();
+std::span<const std::string_view> material_names();
 
 }  // namespace mpm

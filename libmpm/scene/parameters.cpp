@@ -194,7 +194,28 @@ const std::vector<std::string_view>& kind_names() {
 std::span<const Quantity> quantities() { return quantity_table(); }
 std::span<const Choice> choices() { return choice_table(); }
 const Quantity* find_quantity(std::string_view name) { return find_row(quantity_table(), name); }
-const Choice* find_choice(std::string_view name) { return find_row(choice_table(), name); }
+const Choice* find_choice(std::string_view name) {
+  if (name == material_choice().name) return &material_choice();
+  return find_row(choice_table(), name);
+}
+
+const Choice& material_choice() {
+  static const Choice choice = [] {
+    Choice c{"material",
+             "material",
+             "named material; [material] replaces constants of it",
+             Section::parameters,
+             material_names(),
+             [](const Scene& s) {
+               const auto names = material_names();
+               return static_cast<std::size_t>(std::ranges::find(names, s.material.name) - names.begin());
+             },
+             [](Scene& s, std::size_t i) { s.material = named_material(material_names()[i]); }};
+    for (const Kind* kind : kinds()) c.belongs_to.bits |= 1u << static_cast<unsigned>(kind->kind);
+    return c;
+  }();
+  return choice;
+}
 
 std::span<const std::string_view> scene_kind_names() { return kind_names(); }
 std::string_view to_string(SceneKind kind) { return kind_of(kind).name; }

@@ -67,6 +67,9 @@ std::span<const Quantity> quantities();
 std::span<const Choice> choices();
 const Quantity* find_quantity(std::string_view name);  ///< null if there is none
 const Choice* find_choice(std::string_view name);
+/// The named material, as a choice: find_choice("material"). It is no row of choices(): keys, catalog and
+/// messages have its constants, and its name is no part of what a job is.
+const Choice& material_choice();
 
 /// Names of kinds of scene as study files write them: "cavity-impact".
 std::span<const std::string_view> scene_kind_names();

@@ -98,7 +98,7 @@ void print_defaults(const Study& study, const Plan& plan) {
   const std::pair<mpm::Section, std::string> sections[] = {
       {mpm::Section::top, "top of the file"},
       {mpm::Section::parameters, "parameters"},
-      {mpm::Section::material, "material (" + plan.jobs.front().scene.material.name + ")"},
+      {mpm::Section::material, "material (" + default_in_force(mpm::material_choice(), plan) + ")"},
       {mpm::Section::numerics, "numerics"},
       {mpm::Section::measure, "measure"}};
   fmt::print("Not in the file, so by default:\n");

@@ -222,7 +222,9 @@ std::optional<Axis> read_axis(const mpm::Choice& row, const Entry& entry, Proble
     const std::string* word = value.string();
     const auto found = word ? std::find(row.allowed.begin(), row.allowed.end(), *word) : row.allowed.end();
     if (found == row.allowed.end()) {
-      problems.add(row.name, value, unknown_word(word ? *word : "", "choice", row.allowed));
+      const bool material = &row == &mpm::material_choice();
+      problems.add(row.name, value,
+                   unknown_word(word ? *word : "", material ? "material" : "choice", row.allowed));
       good = false;
     } else {
       axis.points.push_back({static_cast<double>(found - row.allowed.begin()), value.place});

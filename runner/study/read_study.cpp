@@ -100,17 +100,11 @@ class Reader {
   void read_material() {
     const Table* parameters = table("parameters");
     const Entry* entry = parameters ? parameters->find("material") : nullptr;
-    const auto names = mpm::material_names();
-    if (!entry) {
-      problems_.add(place_of_table("parameters"), "material", {"missing", "one of: " + listed(names)});
-    } else if (const std::string* name = entry->value.string(); !name) {
-      problems_.add("material", entry->value, {"not one name", "allowed: " + listed(names)});
-    } else if (std::find(names.begin(), names.end(), *name) == names.end()) {
-      problems_.add("material", entry->value, unknown_word(*name, "material", names));
-    } else {
-      request_.material = mpm::named_material(*name);
+    if (entry)
       study_.material_place = entry->value.place.text();
-    }
+    else
+      problems_.add(place_of_table("parameters"), "material",
+                    {"missing", "one of: " + listed(mpm::material_names())});
   }
 
   /// Every table that has rows of the parameter table, and [sweep], [search]: keys, then values.

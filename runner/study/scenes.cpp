@@ -30,7 +30,8 @@ struct Assignment {
   }
 };
 
-/// In the order of the parameter table, quantities first: later rows may be made of earlier ones.
+/// The material first, then in the order of the parameter table, quantities first: later rows may be made of
+/// earlier ones.
 std::vector<Assignment> assignments(const SceneRequest& request) {
   std::vector<Assignment> unordered;
   std::size_t column = 0;
@@ -40,6 +41,7 @@ std::vector<Assignment> assignments(const SceneRequest& request) {
     for (const Assignment& one : unordered)
       if (one.axis->name() == name) ordered.push_back(one);
   };
+  take(mpm::material_choice().name);
   for (const mpm::Quantity& row : mpm::quantities()) take(row.name);
   for (const mpm::Choice& row : mpm::choices()) take(row.name);
   return ordered;
@@ -48,7 +50,6 @@ std::vector<Assignment> assignments(const SceneRequest& request) {
 mpm::Scene base_scene(const SceneRequest& request) {
   mpm::Scene scene;
   scene.kind = request.kind;
-  scene.material = request.material;
   scene.numerics = mpm::default_numerics(request.kind);
   for (const Point& snapshot : request.snapshots) scene.measures.snapshots.push_back(snapshot.value);
   if (request.seeks_ejection) {

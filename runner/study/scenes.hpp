@@ -15,7 +15,6 @@ namespace mpmstudy {
 /// Everything that a study says about its scenes.
 struct SceneRequest {
   mpm::SceneKind kind{};
-  mpm::Material material;
   std::vector<Axis> axes;        ///< in the order of the file
   std::vector<Point> snapshots;  ///< [s]
   bool seeks_ejection =

@@ -14,7 +14,7 @@ struct Keys {
 const std::vector<Keys>& other_keys() {
   static const std::vector<Keys> keys = {
       {"", {"schema", "name", "title", "scene"}},
-      {"parameters", {"material"}},
+      {"parameters", {mpm::material_choice().name}},
       {"material", {}},
       {"sweep", {"mode", "samples", "seed"}},
       {"numerics", {"accuracy", "accuracy_of", "ladder"}},

@@ -15,6 +15,26 @@ using Volume = MieGrueneisen::Volume;
 
 const mpm::Material aluminium = mpm::named_material("aluminium");
 
+// E and nu stand for G of the table and the bulk modulus rho0 c0^2; every constant is there.
+TEST(NamedMaterials, HaveTheModuliOfTheirSources) {
+  const std::pair<const char*, double> shear_moduli[] = {
+      {"aluminium-6061-t6", 27.6e9}, {"copper", 47.7e9}, {"tungsten", 160e9}, {"tantalum", 69e9}};
+  for (const auto& [name, shear] : shear_moduli) {
+    const mpm::Material m = mpm::named_material(name);
+    EXPECT_EQ(m.name, name);
+    EXPECT_NEAR(m.shear_modulus() / shear, 1, 1e-14) << name;
+    const double bulk = m.youngs_modulus / (3 * (1 - 2 * m.poissons_ratio));
+    EXPECT_NEAR(bulk / (m.reference_density * m.bulk_sound_speed * m.bulk_sound_speed), 1, 1e-14) << name;
+  }
+  for (const std::string_view name : mpm::material_names()) {
+    const mpm::Material m = mpm::named_material(name);
+    for (const double constant : {m.yield_stress, m.hugoniot_slope, m.gruneisen_gamma, m.specific_heat,
+                                  m.initial_temperature, m.pressure_limit})
+      EXPECT_GT(constant, 0) << name;
+  }
+  EXPECT_THROW(mpm::named_material("lead"), std::out_of_range);
+}
+
 TEST(Material, HardeningModulusFollowsItsMeasure) {
   mpm::Material m = aluminium;
   EXPECT_NEAR(m.hardening_per_equivalent_strain(), 470.302e6, 1e3);  // sqrt(3/2) 384 MPa

@@ -24,8 +24,18 @@ TEST(ReadStudy, OneScene) {
   EXPECT_EQ(scene.numerics.cfl, mpm::default_numerics(scene.kind).cfl);
   EXPECT_EQ(scene.measures.area_every, scene.end_time / 320);
   EXPECT_TRUE(study.swept.empty());
-  EXPECT_THAT(study.given, ElementsAre("impact_speed", "block_width", "block_height", "cavity_radius",
-                                       "cavity_center_height", "end_time", "cell_size"));
+  EXPECT_THAT(study.given, ElementsAre("material", "impact_speed", "block_width", "block_height",
+                                       "cavity_radius", "cavity_center_height", "end_time", "cell_size"));
+}
+
+TEST(ReadStudy, MaterialsAreAnAxis) {
+  const Study study =
+      read_text(study_text({{"material", "[\"copper\", \"tungsten\"]"}, {"yield_stress", "\"60 MPa\""}}));
+  ASSERT_EQ(study.scenes.size(), 2u);
+  EXPECT_THAT(study.swept, ElementsAre("material"));
+  EXPECT_EQ(study.scenes[0].material.name, "copper");
+  EXPECT_EQ(study.scenes[1].material.reference_density, 19300);
+  for (const mpm::Scene& scene : study.scenes) EXPECT_EQ(scene.material.yield_stress, 60e6);  // the file's
 }
 
 TEST(ReadStudy, MaterialFirstThenItsChanges) {
