@@ -1,10 +1,11 @@
 #include "analysis/extrapolation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
+
+#include "libmpm/core/enumerators.hpp"
 
 namespace analysis {
 namespace {
@@ -75,7 +76,10 @@ Points sorted(std::span<const LadderPoint> points) {
 }  // namespace
 
 std::string_view name(LadderMethod method) {
-  constexpr std::array<std::string_view, 4> names = {"observed order", "first order", "spread", "one cell"};
+  static constexpr auto names = mpm::words<LadderMethod>({{LadderMethod::observed_order, "observed order"},
+                                                          {LadderMethod::first_order, "first order"},
+                                                          {LadderMethod::spread, "spread"},
+                                                          {LadderMethod::one_cell, "one cell"}});
   return names[static_cast<std::size_t>(method)];
 }
 

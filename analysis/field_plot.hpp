@@ -17,7 +17,7 @@ enum class Palette {
 };
 
 struct FieldPanel {
-  std::string title;  ///< "t = 1.62 ns": value_label(named_quantity("time"), 1.62e-9)
+  std::string title;  ///< "t = 1.62 ns": value_label() of the time
   Particles particles;
 };
 

@@ -9,9 +9,13 @@
 #include <set>
 
 #include "analysis/student_t.hpp"
+#include "libmpm/core/enumerators.hpp"
 
 namespace analysis {
 namespace {
+
+constexpr auto model_names =
+    mpm::words<FitModel>({{FitModel::linear, "linear"}, {FitModel::quadratic, "quadratic"}});
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -76,12 +80,14 @@ Scatter scatter(const MatrixXd& design, const VectorXd& y, const VectorXd& root_
 }  // namespace
 
 std::optional<FitModel> fit_model(std::string_view name) {
-  if (name == "linear") return FitModel::linear;
-  if (name == "quadratic") return FitModel::quadratic;
-  return std::nullopt;
+  const auto found = std::ranges::find(model_names, name);
+  if (found == model_names.end()) return std::nullopt;
+  return static_cast<FitModel>(found - model_names.begin());
 }
 
-std::string_view name(FitModel model) { return model == FitModel::linear ? "linear" : "quadratic"; }
+std::string_view name(FitModel model) { return model_names[static_cast<std::size_t>(model)]; }
+
+std::span<const std::string_view> fit_model_names() { return model_names; }
 
 std::optional<double> Fit::reduced_chi2() const {
   if (!weighted || !residual_standard_deviation) return std::nullopt;

@@ -13,7 +13,9 @@ enum class FitModel {
   quadratic,  ///< y = c0 + c1 x + c2 x^2
 };
 
-/// "linear", "quadratic"; empty for any other name.
+/// "linear", "quadratic"; in the order of FitModel.
+std::span<const std::string_view> fit_model_names();
+/// Empty for a name that is none of them.
 std::optional<FitModel> fit_model(std::string_view name);
 std::string_view name(FitModel);
 

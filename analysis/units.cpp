@@ -30,54 +30,14 @@ constexpr std::array scales = {
     Scale{"J/m^3", "kJ/m³", 1e3}, Scale{"J/kg", "MJ/kg", 1e6},
     Scale{"J/kg", "kJ/kg", 1e3},  Scale{"J/kg", "J/kg", 1},
     Scale{"kg/m^3", "kg/m³", 1},  Scale{"kg/m", "µg/m", 1e-9},
+    Scale{"m^3", "m³", 1},        Scale{"m^3", "mm³", 1e-9},
+    Scale{"m^3", "µm³", 1e-18},   Scale{"kg", "kg", 1},
+    Scale{"kg", "µg", 1e-9},      Scale{"kg", "ng", 1e-12},
     Scale{"K", "K", 1},           Scale{"1", "", 1},
 };
 
-struct Named {
-  std::string_view key, name, symbol, unit;
-};
+}  // namespace
 
-constexpr std::array names = {
-    Named{"time", "Time", "t", "s"},
-    Named{"impact_speed", "Impact speed", "u", "m/s"},
-    Named{"wall_thickness", "Downstream wall thickness", "d", "m"},
-    Named{"cavity_radius", "Cavity radius", "R", "m"},
-    Named{"cavity_center_height", "Height of the cavity centre", "y", "m"},
-    Named{"block_height", "Block height", "H", "m"},
-    Named{"block_width", "Block width", "W", "m"},
-    Named{"inner_radius", "Inner radius", "a", "m"},
-    Named{"outer_radius", "Outer radius", "b", "m"},
-    Named{"inner_speed", "Inner speed", "u", "m/s"},
-    Named{"yield_stress", "Yield stress", "Y", "Pa"},
-    Named{"hardening_modulus", "Hardening modulus", "E", "Pa"},
-    Named{"cell_size", "Cell size", "h", "m"},
-    Named{"end_time", "End time", "t", "s"},
-    Named{"collapsibility", "Collapsibility", "Φ", "1"},
-    Named{"area", "Cavity area", "A", "m^2"},
-    Named{"void_area", "Void area", "A", "m^2"},
-    Named{"initial_area", "Initial cavity area", "A", "m^2"},
-    Named{"final_area", "Final cavity area", "A", "m^2"},
-    Named{"energy_error", "Energy error", "", "1"},
-    Named{"pressure", "Pressure", "P", "Pa"},
-    Named{"von_mises", "Von Mises stress", "q", "Pa"},
-    Named{"stress_xx", "Stress xx", "", "Pa"},
-    Named{"stress_yy", "Stress yy", "", "Pa"},
-    Named{"stress_xy", "Shear stress xy", "", "Pa"},
-    Named{"stress_zz", "Stress zz", "", "Pa"},
-    Named{"density", "Density", "ρ", "kg/m^3"},
-    Named{"velocity_x", "Velocity along x", "", "m/s"},
-    Named{"velocity_y", "Velocity along y", "", "m/s"},
-    Named{"equivalent_plastic_strain", "Equivalent plastic strain", "", "1"},
-    Named{"plastic_work", "Plastic work", "", "J/m^3"},
-    Named{"specific_internal_energy", "Specific internal energy", "e", "J/kg"},
-    Named{"temperature", "Temperature", "T", "K"},
-    Named{"jet_speed", "Jet speed", "", "m/s"},
-    Named{"hot_spot_work", "Plastic work of the hot spot", "", "J/m^3"},
-    Named{"aspect_ratio", "Width over height of the cavity", "", "1"},
-    Named{"lower_upper_area_ratio", "Cavity area below over above its centre", "", "1"},
-};
-
-/// "m2" -> "m^2": the catalog writes powers without the mark.
 std::string with_powers(std::string_view unit) {
   std::string text;
   for (const char c : unit) {
@@ -87,8 +47,6 @@ std::string with_powers(std::string_view unit) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string_view without_unit(std::string_view name, std::string_view unit) {
   std::string end = "_";
@@ -101,17 +59,15 @@ bool is_known_unit(std::string_view unit) {
   return std::ranges::find(scales, with_powers(unit), &Scale::si) != scales.end();
 }
 
-Quantity named_quantity(std::string_view full_name, std::string_view unit_if_unknown) {
-  const std::string unit = with_powers(unit_if_unknown);
-  const std::string_view name = without_unit(full_name, unit);
-  const auto known = std::ranges::find(names, name, &Named::key);
-  if (known != names.end())
-    return {std::string(known->name), std::string(known->symbol), std::string(known->unit)};
-  std::string words(name);
+Quantity quantity_of(std::string_view full_name, std::string_view si_unit, std::string_view symbol,
+                     std::string_view title) {
+  const std::string unit = with_powers(si_unit);
+  if (!title.empty()) return {std::string(title), std::string(symbol), unit};
+  std::string words(without_unit(full_name, unit));
   std::ranges::replace(words, '_', ' ');
   if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
     words[0] = static_cast<char>(words[0] - 'a' + 'A');
-  return {words, "", unit};
+  return {words, std::string(symbol), unit};
 }
 
 DisplayUnit display_unit(std::string_view si_unit, double largest) {

@@ -13,11 +13,13 @@ struct Quantity {
   std::string unit;    ///< SI, as catalog and library write it: "m", "m^2", "Pa", "1", ...
 };
 
-/// The quantity that a study or the catalog calls by this name ("cavity_radius", "collapsibility",
-/// "pressure", ...). A name that is not known becomes words, with the unit that the caller gives ("1": a pure
-/// number); a unit that the name ends in, as columns and metrics do ("centroid_shift_m"), is none of the
-/// words.
-Quantity named_quantity(std::string_view name, std::string_view unit_if_unknown = "1");
+/// The quantity that a study or the catalog calls by this name. Without a title its name is the words of the
+/// name; a unit that the name ends in, as columns and metrics do ("centroid_shift_m"), is none of them.
+Quantity quantity_of(std::string_view name, std::string_view si_unit = "1", std::string_view symbol = "",
+                     std::string_view title = "");
+
+/// "m2" -> "m^2": the catalog writes powers without the mark.
+std::string with_powers(std::string_view unit);
 
 /// "final_void_area" of "final_void_area_m2" and "m2": for a table that has the unit in a line of its own.
 std::string_view without_unit(std::string_view name, std::string_view unit);

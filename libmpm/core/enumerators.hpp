@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -20,6 +21,24 @@ constexpr std::size_t enumerators() {
     return enumerators<E, first + 1>();
   else
     return first;
+}
+
+/// An enumerator and its word.
+template <class E>
+struct Word {
+  E value;
+  std::string_view word;
+};
+/// The words of an enum, checked: each enumerator has one, in the order of the enum.
+template <class E, std::size_t count>
+constexpr std::array<std::string_view, count> words(const Word<E> (&list)[count]) {
+  static_assert(count == enumerators<E>(), "each enumerator has one word");
+  std::array<std::string_view, count> names;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (list[i].value != static_cast<E>(i)) throw "words must be in the order of their enum";
+    names[i] = list[i].word;
+  }
+  return names;
 }
 
 }  // namespace mpm

@@ -1,15 +1,16 @@
 #include "libmpm/io/vtkhdf.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libmpm/io/durable_file.hpp"
+#include "libmpm/io/fields.hpp"
 #include "libmpm/io/hdf5.hpp"
 
 namespace mpm {
@@ -17,27 +18,9 @@ namespace {
 
 using namespace hdf5;
 
-struct ScalarColumn {
-  const char* dataset;
-  const char* unit;
-  std::vector<double> Snapshot::*values;
-};
-
-/// The scalar arrays of /VTKHDF/PointData. Points and Velocity are vectors, and written apart.
-constexpr std::array<ScalarColumn, 12> scalar_columns = {{
-    {"Density", "kg/m^3", &Snapshot::density},
-    {"Pressure", "Pa", &Snapshot::pressure},
-    {"VonMises", "Pa", &Snapshot::von_mises},
-    {"StressXX", "Pa", &Snapshot::stress_xx},
-    {"StressYY", "Pa", &Snapshot::stress_yy},
-    {"StressXY", "Pa", &Snapshot::stress_xy},
-    {"StressZZ", "Pa", &Snapshot::stress_zz},
-    {"PlasticStrain", "1", &Snapshot::equivalent_plastic_strain},
-    {"PlasticWork", "J/m^3", &Snapshot::plastic_work},
-    {"InternalEnergy", "J/kg", &Snapshot::specific_internal_energy},
-    {"Temperature", "K", &Snapshot::temperature},
-    {"Mass", "kg/m", &Snapshot::mass},
-}};
+/// Fields of /VTKHDF/PointData that are arrays of their own. Points and Velocity are vectors, and written
+/// apart.
+bool is_scalar(const Field& field) { return *field.dataset != '\0'; }
 
 constexpr char type_name[] = "UnstructuredGrid";
 constexpr std::size_t type_length = sizeof(type_name) - 1;
@@ -92,8 +75,8 @@ void write_group(const Session& s, hid_t file, const Snapshot& snapshot) {
 
   const Handle points = create_group(s, root, "PointData");
   write_dataset(s, points, "Velocity", rows_of_three(snapshot.velocity_x, snapshot.velocity_y), "m/s", 3);
-  for (const ScalarColumn& column : scalar_columns)
-    write_dataset(s, points, column.dataset, snapshot.*column.values, column.unit);
+  for (const Field& field : fields())
+    if (is_scalar(field)) write_dataset(s, points, field.dataset, snapshot.*field.values, field.unit);
 
   const Handle fields = create_group(s, root, "FieldData");
   write_dataset(s, fields, "Time", std::vector<double>{snapshot.time}, "s");
@@ -101,15 +84,15 @@ void write_group(const Session& s, hid_t file, const Snapshot& snapshot) {
 }
 
 void check_lengths(const std::filesystem::path& path, const Snapshot& snapshot) {
-  const auto check = [&](const char* name, const std::vector<double>& column) {
+  const auto check = [&](std::string_view name, const std::vector<double>& column) {
     if (column.size() == snapshot.x.size()) return;
     throw std::invalid_argument(path.string() + ": snapshot has " + std::to_string(snapshot.x.size()) +
-                                " particles, but " + std::to_string(column.size()) + " values of " + name);
+                                " particles, but " + std::to_string(column.size()) + " values of " +
+                                std::string(name));
   };
   check("y", snapshot.y);
-  check("velocity_x", snapshot.velocity_x);
-  check("velocity_y", snapshot.velocity_y);
-  for (const ScalarColumn& column : scalar_columns) check(column.dataset, snapshot.*column.values);
+  for (const Field& field : fields())
+    check(is_scalar(field) ? field.dataset : field.name, snapshot.*field.values);
 }
 
 // ---------------------------------------------------------------------------------------------- reading
@@ -155,8 +138,8 @@ Snapshot read_group(const std::filesystem::path& path) {
   const Handle points(s.check(H5Gopen2(root, "PointData", H5P_DEFAULT), "PointData"), H5Gclose);
   split_rows_of_three(read_dataset<double>(s, points, "Velocity", 3), snapshot.velocity_x,
                       snapshot.velocity_y);
-  for (const ScalarColumn& column : scalar_columns)
-    snapshot.*column.values = read_dataset<double>(s, points, column.dataset);
+  for (const Field& field : fields())
+    if (is_scalar(field)) snapshot.*field.values = read_dataset<double>(s, points, field.dataset);
   return snapshot;
 }
 

@@ -4,9 +4,7 @@
 ///   /VTKHDF            attributes Version [1, 0], Type "UnstructuredGrid", time, time_unit "s", step
 ///     Points           (n, 3) [m]; z = 0
 ///     Connectivity, Offsets, Types, NumberOf{Points,Cells,ConnectivityIds}
-///     PointData/       Velocity (n, 3), Density, Pressure, VonMises, StressXX, StressYY, StressXY, StressZZ,
-///     PlasticStrain,
-///                      PlasticWork, InternalEnergy, Temperature, Mass
+///     PointData/       Velocity (n, 3), and the datasets of the table of fields (fields.hpp)
 ///     FieldData/       Time, Step
 ///
 /// Every dataset carries the attribute `unit` (SI; "1" for a pure number). Numbers are stored as they are in

@@ -6,6 +6,140 @@
 namespace mpm {
 namespace {
 
+constexpr ResultRow rows[] = {
+    {.name = "collapsibility",
+     .unit = "1",
+     .symbol = "Φ",
+     .meaning = "(initial - final) / initial area of the cavity; a torn cavity may be larger than it was",
+     .upper = 1,
+     .least_scale = 0.1,
+     .metric = false,
+     .column = true,
+     .error_column = "collapsibility_error",
+     .of_closed_cavity = true},
+    {.name = "final_area_m2",
+     .unit = "m2",
+     .symbol = "A",
+     .title = "Final cavity area",
+     .meaning = "area of the cavity at the end",
+     .lower = 0,
+     .metric = false,
+     .column = true,
+     .error_column = "final_area_error_m2",
+     .of_closed_cavity = true},
+    {.name = "initial_area_m2",
+     .unit = "m2",
+     .symbol = "A",
+     .title = "Initial cavity area",
+     .meaning = "area of the cavity at the start",
+     .has_interval = false,
+     .lower = 0,
+     .metric = false,
+     .column = true},
+    {.name = "aspect_ratio",
+     .unit = "1",
+     .title = "Width over height of the cavity",
+     .meaning = "width / height of the cavity at the end",
+     .always = false},
+    {.name = "lower_upper_area_ratio",
+     .unit = "1",
+     .title = "Cavity area below over above its centre",
+     .meaning = "area of the cavity at the end below / above the chord between the markers that started at "
+                "its centre's height",
+     .always = false},
+    {.name = "centroid_shift_m",
+     .unit = "m",
+     .meaning = "way of the cavity's centroid along y against the body's centre of mass",
+     .always = false},
+    {.name = "final_void_area_m2",
+     .unit = "m2",
+     .symbol = "A",
+     .meaning = "area of the empty region at the end, by the indicator field",
+     .lower = 0,
+     .of_closed_cavity = true},
+    {.name = "final_area_scatter_m2",
+     .unit = "m2",
+     .meaning =
+         "part of the final area's measuring error: standard deviation over the last quarter of the run",
+     .has_interval = false,
+     .lower = 0},
+    {.name = "final_area_difference_m2",
+     .unit = "m2",
+     .meaning = "the other part: mean difference between contour and empty region there",
+     .has_interval = false,
+     .lower = 0},
+    {.name = "initial_volume_m3",
+     .unit = "m3",
+     .symbol = "V",
+     .title = "Initial cavity volume",
+     .meaning = "in axisymmetry: volume of the cavity at the start",
+     .has_interval = false,
+     .lower = 0,
+     .always = false},
+    {.name = "final_volume_m3",
+     .unit = "m3",
+     .symbol = "V",
+     .title = "Final cavity volume",
+     .meaning = "in axisymmetry: volume of the cavity at the end, of which collapsibility is made then",
+     .lower = 0,
+     .always = false,
+     .of_closed_cavity = true},
+    {.name = "final_volume_scatter_m3",
+     .unit = "m3",
+     .meaning = "part of the final volume's measuring error, as of the area",
+     .has_interval = false,
+     .lower = 0,
+     .always = false},
+    {.name = "final_volume_difference_m3",
+     .unit = "m3",
+     .meaning = "the other part, as of the area",
+     .has_interval = false,
+     .lower = 0,
+     .always = false},
+    {.name = "largest_collapsibility",
+     .unit = "1",
+     .meaning =
+         "(initial - smallest area) / initial area, by the contour until it first crosses itself. Cells "
+         "converge to it also where a closed cavity is torn open again and the final area has no limit",
+     .upper = 1,
+     .least_scale = 0.1},
+    {.name = "cavity_closed_time_s",
+     .unit = "s",
+     .symbol = "t",
+     .meaning = "when the empty region was first gone",
+     .always = false},
+    {.name = "cavity_joined_outside_time_s",
+     .unit = "s",
+     .symbol = "t",
+     .meaning = "when the empty region first met the outside",
+     .always = false},
+    {.name = "contour_crossed_time_s",
+     .unit = "s",
+     .symbol = "t",
+     .meaning = "when the contour of markers first crossed itself; its area means less from then on",
+     .always = false},
+    {.name = "topology_changed_time_s",
+     .unit = "s",
+     .symbol = "t",
+     .meaning = "the first of these three: the cavity was one closed hole up to then",
+     .always = false},
+    {.name = "area_difference_m2",
+     .unit = "m2",
+     .meaning = "most that contour and empty region differed by up to then; less than a tenth of a cell "
+                "times the initial circumference",
+     .has_interval = false,
+     .lower = 0},
+    {.name = "new_cavities",
+     .unit = "1",
+     .meaning = "most closed empty regions at one time beside the cavity"},
+    {.name = "new_cavities_time_s",
+     .unit = "s",
+     .symbol = "t",
+     .meaning = "when the first of them was seen",
+     .always = false},
+    {.name = "cavities_at_end", .unit = "1", .meaning = "closed empty regions at the end"},
+};
+
 double center_of_mass_height(const Particles& ps) {
   double mass = 0, moment = 0;
   for (std::size_t p = 0; p < ps.size(); ++p) {
@@ -18,6 +152,8 @@ double center_of_mass_height(const Particles& ps) {
 constexpr double window = 0.25;  ///< share of the run that counts as its end
 
 }  // namespace
+
+std::span<const ResultRow> Cavity::results() { return rows; }
 
 Cavity::Cavity(const Scene& s, const State& state, bool open_below)
     : open_below_(open_below),
@@ -102,35 +238,33 @@ void Cavity::finish(const State& s, RunResult& result) const {
   result.outcome = history_.back().void_area == 0 ? "collapsed" : "partial";
 
   auto& m = result.metrics;
-  m.push_back({"final_area_scatter_m2", area.scatter, "m2", {}});
-  m.push_back({"final_area_difference_m2", std::abs(area.difference), "m2", {}});
+  m.push_back(metric(row_of(rows, "final_area_scatter_m2"), area.scatter));
+  m.push_back(metric(row_of(rows, "final_area_difference_m2"), std::abs(area.difference)));
   if (axisymmetric_) {
-    m.push_back({"initial_volume_m3", initial, "m3", {}});
-    m.push_back({"final_volume_m3", size.mean, "m3", size.error()});
-    m.push_back({"final_volume_scatter_m3", size.scatter, "m3", {}});
-    m.push_back({"final_volume_difference_m3", std::abs(size.difference), "m3", {}});
+    m.push_back(metric(row_of(rows, "initial_volume_m3"), initial));
+    m.push_back(metric(row_of(rows, "final_volume_m3"), size.mean, size.error()));
+    m.push_back(metric(row_of(rows, "final_volume_scatter_m3"), size.scatter));
+    m.push_back(metric(row_of(rows, "final_volume_difference_m3"), std::abs(size.difference)));
   }
-  m.push_back(
-      {"largest_collapsibility", (initial - smallest_size_) / initial, "1", smallest_difference_ / initial});
+  m.push_back(metric(row_of(rows, "largest_collapsibility"), (initial - smallest_size_) / initial,
+                     smallest_difference_ / initial));
   if (crossed_time_ < 0) {
-    m.push_back({"aspect_ratio", contour_.width() / contour_.height(), "1", {}});
-    m.push_back({"lower_upper_area_ratio", contour_.lower_upper_ratio(), "1", {}});
-    m.push_back({"centroid_shift_m",
-                 contour_.centroid().y() - center_of_mass_height(s.particles) - initial_offset_,
-                 "m",
-                 {}});
+    m.push_back(metric(row_of(rows, "aspect_ratio"), contour_.width() / contour_.height()));
+    m.push_back(metric(row_of(rows, "lower_upper_area_ratio"), contour_.lower_upper_ratio()));
+    m.push_back(metric(row_of(rows, "centroid_shift_m"),
+                       contour_.centroid().y() - center_of_mass_height(s.particles) - initial_offset_));
   } else {
-    m.push_back({"contour_crossed_time_s", crossed_time_, "s", {}});
+    m.push_back(metric(row_of(rows, "contour_crossed_time_s"), crossed_time_));
   }
-  m.push_back({"area_difference_m2", area_difference_, "m2", {}});
-  if (topology_time_ >= 0) m.push_back({"topology_changed_time_s", topology_time_, "s", {}});
-  m.push_back({"final_void_area_m2", history_.back().void_area, "m2", {}});
-  m.push_back({"new_cavities", static_cast<double>(most_new_), "1", {}});
-  if (new_time_ >= 0) m.push_back({"new_cavities_time_s", new_time_, "s", {}});
-  m.push_back({"cavities_at_end", static_cast<double>(void_.closed_regions()), "1", {}});
+  m.push_back(metric(row_of(rows, "area_difference_m2"), area_difference_));
+  if (topology_time_ >= 0) m.push_back(metric(row_of(rows, "topology_changed_time_s"), topology_time_));
+  m.push_back(metric(row_of(rows, "final_void_area_m2"), history_.back().void_area));
+  m.push_back(metric(row_of(rows, "new_cavities"), static_cast<double>(most_new_)));
+  if (new_time_ >= 0) m.push_back(metric(row_of(rows, "new_cavities_time_s"), new_time_));
+  m.push_back(metric(row_of(rows, "cavities_at_end"), static_cast<double>(void_.closed_regions())));
   jet_.finish(result);
-  if (closed_time_ >= 0) m.push_back({"cavity_closed_time_s", closed_time_, "s", {}});
-  if (joined_time_ >= 0) m.push_back({"cavity_joined_outside_time_s", joined_time_, "s", {}});
+  if (closed_time_ >= 0) m.push_back(metric(row_of(rows, "cavity_closed_time_s"), closed_time_));
+  if (joined_time_ >= 0) m.push_back(metric(row_of(rows, "cavity_joined_outside_time_s"), joined_time_));
   result.area_history = history_;
 }
 

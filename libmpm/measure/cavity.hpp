@@ -2,6 +2,7 @@
 #include "libmpm/measure/contour.hpp"
 #include "libmpm/measure/jet.hpp"
 #include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/results.hpp"
 #include "libmpm/measure/void_area.hpp"
 
 namespace mpm {
@@ -29,6 +30,7 @@ namespace mpm {
 /// itself), new_cavities_time_s (when the first of them was seen), cavities_at_end; and those of Jet.
 class Cavity : public Measurement {
  public:
+  static std::span<const ResultRow> results();
   /// `open_below`: there is no wall, so that what reaches the lowest row of the grid is the outside.
   Cavity(const Scene&, const State&, bool open_below);
   void after_step(const State&, const StepReport&, double dt) override;

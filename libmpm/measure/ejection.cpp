@@ -12,6 +12,36 @@
 namespace mpm {
 namespace {
 
+constexpr ResultRow rows[] = {
+    {.name = "ejected_mass_kg_m",
+     .unit = "kg/m",
+     .meaning = "mass that has been ejected, of the whole width (`decides = \"ejection\"`)",
+     .needs = Needs::ejection,
+     .always = false},
+    {.name = "ejected_mass_kg",
+     .unit = "kg",
+     .meaning = "in axisymmetry: mass that has been ejected (`decides = \"ejection\"`)",
+     .needs = Needs::ejection,
+     .always = false},
+    {.name = "ejecta_speed_m_s",
+     .unit = "m/s",
+     .meaning = "its mean speed against the wall",
+     .needs = Needs::ejection,
+     .always = false},
+    {.name = "decision_time_s",
+     .unit = "s",
+     .symbol = "t",
+     .meaning = "when the outcome was decided",
+     .needs = Needs::ejection,
+     .always = false},
+    {.name = "decision_margin",
+     .unit = "1",
+     .meaning =
+         "speed of what is ejected (of the fastest twentieth of the wall, if arrested) / impact speed - 1",
+     .needs = Needs::ejection,
+     .always = false},
+};
+
 constexpr double least_share = 0.01;    ///< of the wall's mass that counts as ejected
 constexpr double watched_share = 0.05;  ///< of the wall's mass whose speed tells of arrest
 
@@ -27,6 +57,8 @@ double highest_between(const Particles& ps, const ConnectedParts& connected, int
 }
 
 }  // namespace
+
+std::span<const ResultRow> Ejection::results() { return rows; }
 
 Ejection::Ejection(const Scene& s, const State& state)
     : speed_(s.impact_speed),
@@ -154,13 +186,14 @@ void Ejection::finish(const State&, RunResult& result) const {
                                                    : "undecided";
   auto& m = result.metrics;
   if (axisymmetric_)
-    m.push_back({"ejected_mass_kg", ejected_mass_, "kg", {}});
+    m.push_back(metric(row_of(rows, "ejected_mass_kg"), ejected_mass_));
   else
-    m.push_back({"ejected_mass_kg_m", ejected_mass_, "kg/m", {}});
-  if (ejected_mass_ > 0) m.push_back({"ejecta_speed_m_s", ejected_momentum_ / ejected_mass_, "m/s", {}});
+    m.push_back(metric(row_of(rows, "ejected_mass_kg_m"), ejected_mass_));
+  if (ejected_mass_ > 0)
+    m.push_back(metric(row_of(rows, "ejecta_speed_m_s"), ejected_momentum_ / ejected_mass_));
   if (verdict_ == Verdict::undecided) return;
-  m.push_back({"decision_time_s", decision_time_, "s", {}});
-  m.push_back({"decision_margin", margin_, "1", {}});
+  m.push_back(metric(row_of(rows, "decision_time_s"), decision_time_));
+  m.push_back(metric(row_of(rows, "decision_margin"), margin_));
 }
 
 void Ejection::carry(Archive& a) {

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/results.hpp"
 
 namespace mpm {
 
@@ -25,6 +26,7 @@ namespace mpm {
 /// Checked by tests/libmpm/ejection_test.cpp.
 class Ejection : public Measurement {
  public:
+  static std::span<const ResultRow> results();
   Ejection(const Scene&, const State&);
   bool decided() const override { return stop_early_ && verdict_ != Verdict::undecided; }
   void sample(const State&, Observer&) override;

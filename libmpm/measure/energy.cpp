@@ -4,6 +4,40 @@
 #include <cmath>
 
 namespace mpm {
+namespace {
+
+constexpr ResultRow rows[] = {
+    {.name = "energy_error",
+     .unit = "1",
+     .meaning = "largest relative error of kinetic + internal energy; also a column of `jobs`",
+     .has_interval = false,
+     .lower = 0,
+     .column = true},
+    {.name = "momentum_error",
+     .unit = "1",
+     .meaning =
+         "largest error of momentum against the impulse of the wall, relative to the momentum at impact",
+     .has_interval = false,
+     .lower = 0},
+    {.name = "transfer_heat_fraction",
+     .unit = "1",
+     .meaning = "share of the initial energy that the transfer between grid and particles turned into heat",
+     .lower = 0},
+    {.name = "final_kinetic_fraction",
+     .unit = "1",
+     .meaning = "kinetic energy at the end / initial energy",
+     .lower = 0},
+    {.name = "overpressed_mass_fraction",
+     .unit = "1",
+     .meaning = "largest share of the mass that was beyond `pressure_limit` at one time",
+     .has_interval = false,
+     .lower = 0,
+     .upper = 1},
+};
+
+}  // namespace
+
+std::span<const ResultRow> Balance::results() { return rows; }
 
 Energy energy_of(const Particles& ps) {
   Energy e;
@@ -51,14 +85,14 @@ void Balance::finish(const State& s, RunResult& result) const {
   Balance now = *this;
   now.look_at(s);
   result.energy_error = now.energy_error_;
-  result.metrics.push_back({"energy_error", now.energy_error_, "1", {}});
-  result.metrics.push_back({"momentum_error", now.momentum_error_, "1", {}});
-  result.metrics.push_back({"transfer_heat_fraction", transfer_heat_ / initial_energy_, "1", {}});
+  result.metrics.push_back(metric(row_of(rows, "energy_error"), now.energy_error_));
+  result.metrics.push_back(metric(row_of(rows, "momentum_error"), now.momentum_error_));
+  result.metrics.push_back(metric(row_of(rows, "transfer_heat_fraction"), transfer_heat_ / initial_energy_));
   result.metrics.push_back(
-      {"final_kinetic_fraction", energy_of(s.particles).kinetic / initial_energy_, "1", {}});
+      metric(row_of(rows, "final_kinetic_fraction"), energy_of(s.particles).kinetic / initial_energy_));
   double mass = 0;
   for (const double m : s.particles.mass) mass += m;
-  result.metrics.push_back({"overpressed_mass_fraction", overpressed_mass_ / mass, "1", {}});
+  result.metrics.push_back(metric(row_of(rows, "overpressed_mass_fraction"), overpressed_mass_ / mass));
 }
 
 void Balance::carry(Archive& a) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/results.hpp"
 
 namespace mpm {
 
@@ -21,6 +22,7 @@ Vec2 momentum_of(const Particles&);
 /// beyond the range of the equation of state at one time).
 class Balance : public Measurement {
  public:
+  static std::span<const ResultRow> results();
   explicit Balance(const State&);
   void after_step(const State&, const StepReport&, double dt) override;
   void sample(const State&, Observer&) override;

@@ -10,6 +10,32 @@
 namespace mpm {
 namespace {
 
+constexpr ResultRow rows[] = {
+    {.name = "overstrained_mass_fraction",
+     .unit = "1",
+     .meaning = "largest share of the mass whose rho0/rho was below 1/4 or at 10 at one time; what has "
+                "expanded tenfold keeps its volume",
+     .has_interval = false,
+     .lower = 0,
+     .upper = 1},
+    {.name = "smallest_density_ratio",
+     .unit = "1",
+     .meaning = "rho/rho0 of a particle, smallest over the run; 0.1 at least",
+     .has_interval = false,
+     .lower = 0},
+    {.name = "largest_density_ratio",
+     .unit = "1",
+     .meaning = "rho/rho0 of a particle, largest over the run",
+     .has_interval = false,
+     .lower = 0},
+    {.name = "largest_cfl",
+     .unit = "1",
+     .meaning = "largest CFL number of a step, time step x fastest signal / cell, the signal as it was after "
+                "the step",
+     .has_interval = false,
+     .lower = 0},
+};
+
 constexpr double most_beyond = 0.01;             // of the mass, beyond the equation of state
 constexpr double crushed = -0.95;                // J - 1 that no particle may have
 constexpr double largest_kinetic_growth = 0.01;  // beyond all the energy there is
@@ -64,6 +90,8 @@ std::string_view advice(Health::Trouble trouble) {
 }
 
 }  // namespace
+
+std::span<const ResultRow> Health::results() { return rows; }
 
 Health::Health(const Scene& scene, const State& s, double speed)
     : initial_energy_(energy_of(s.particles).total()),
@@ -143,10 +171,10 @@ std::string Health::describe(Trouble trouble, const State& s, double energy_erro
 }
 
 void Health::finish(const State&, RunResult& result) const {
-  result.metrics.push_back({"smallest_density_ratio", 1 / (1 + largest_dilation_), "1", {}});
-  result.metrics.push_back({"largest_density_ratio", 1 / (1 + smallest_dilation_), "1", {}});
-  result.metrics.push_back({"overstrained_mass_fraction", overstrained_mass_ / mass_, "1", {}});
-  result.metrics.push_back({"largest_cfl", largest_cfl_, "1", {}});
+  result.metrics.push_back(metric(row_of(rows, "smallest_density_ratio"), 1 / (1 + largest_dilation_)));
+  result.metrics.push_back(metric(row_of(rows, "largest_density_ratio"), 1 / (1 + smallest_dilation_)));
+  result.metrics.push_back(metric(row_of(rows, "overstrained_mass_fraction"), overstrained_mass_ / mass_));
+  result.metrics.push_back(metric(row_of(rows, "largest_cfl"), largest_cfl_));
 }
 
 void Health::carry(Archive& a) {

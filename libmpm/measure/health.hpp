@@ -2,6 +2,7 @@
 #include <string>
 
 #include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/results.hpp"
 
 namespace mpm {
 
@@ -26,6 +27,7 @@ namespace mpm {
 /// (dt signal / h, with the signal at the end of the step).
 class Health : public Measurement {
  public:
+  static std::span<const ResultRow> results();
   /// `speed`: of the fastest part of the body at the start [m/s].
   Health(const Scene&, const State&, double speed);
   void after_step(const State&, const StepReport&, double dt) override;

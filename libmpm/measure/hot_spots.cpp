@@ -7,6 +7,21 @@
 namespace mpm {
 namespace {
 
+constexpr ResultRow rows[] = {
+    {.name = "hot_spot_work_J_m3",
+     .unit = "J/m3",
+     .title = "Plastic work of the hot spot",
+     .meaning = "99.9 percentile by mass of the plastic work per volume at the end"},
+    {.name = "hot_spot_temperature_K",
+     .unit = "K",
+     .meaning = "99.9 percentile by mass of the temperature at the end"},
+    {.name = "hot_spot_x_m",
+     .unit = "m",
+     .meaning =
+         "mass centre of what lies above `hot_spot_work_J_m3`, along x (of half a scene: in the half)"},
+    {.name = "hot_spot_y_m", .unit = "m", .meaning = "the same along y"},
+};
+
 constexpr double share_above = 0.001;
 
 struct Spot {
@@ -35,6 +50,8 @@ Spot hottest(const Particles& ps, const std::vector<double>& value) {
 
 }  // namespace
 
+std::span<const ResultRow> HotSpots::results() { return rows; }
+
 void HotSpots::finish(const State& s, RunResult& result) const {
   const Particles& ps = s.particles;
   std::vector<double> work(ps.size()), temperature(ps.size());
@@ -43,10 +60,10 @@ void HotSpots::finish(const State& s, RunResult& result) const {
     temperature[p] = temperature_(ps.dilation[p], ps.energy[p]);
   }
   const Spot spot = hottest(ps, work);
-  result.metrics.push_back({"hot_spot_work_J_m3", spot.value, "J/m3", {}});
-  result.metrics.push_back({"hot_spot_x_m", spot.place.x(), "m", {}});
-  result.metrics.push_back({"hot_spot_y_m", spot.place.y(), "m", {}});
-  result.metrics.push_back({"hot_spot_temperature_K", hottest(ps, temperature).value, "K", {}});
+  result.metrics.push_back(metric(row_of(rows, "hot_spot_work_J_m3"), spot.value));
+  result.metrics.push_back(metric(row_of(rows, "hot_spot_x_m"), spot.place.x()));
+  result.metrics.push_back(metric(row_of(rows, "hot_spot_y_m"), spot.place.y()));
+  result.metrics.push_back(metric(row_of(rows, "hot_spot_temperature_K"), hottest(ps, temperature).value));
 }
 
 }  // namespace mpm

@@ -1,6 +1,7 @@
 #pragma once
 #include "libmpm/material/eos/temperature.hpp"
 #include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/results.hpp"
 
 namespace mpm {
 
@@ -9,6 +10,7 @@ namespace mpm {
 /// hot_spot_work_J_m3, hot_spot_x_m, hot_spot_y_m, hot_spot_temperature_K.
 class HotSpots : public Measurement {
  public:
+  static std::span<const ResultRow> results();
   explicit HotSpots(Temperature t) : temperature_(t) {}
   void finish(const State&, RunResult&) const override;
   void carry(Archive&) override {}

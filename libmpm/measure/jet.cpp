@@ -5,6 +5,33 @@
 #include <limits>
 
 namespace mpm {
+namespace {
+
+constexpr ResultRow rows[] = {
+    {.name = "jet_speed_m_s",
+     .unit = "m/s",
+     .meaning = "largest speed of the jet's tip (the cavity's upstream pole) up to its impact, against the "
+                "material ahead; a planar shock leaves a surface with twice the impact speed"},
+    {.name = "jet_lead_m",
+     .unit = "m",
+     .meaning =
+         "largest height of the tip above the shock at the sides of the block; negative: it never overtook",
+     .always = false},
+    {.name = "jet_impact_time_s",
+     .unit = "s",
+     .symbol = "t",
+     .meaning = "when less than a cell was left between the tip and the far wall",
+     .always = false},
+    {.name = "jet_overtake_time_s",
+     .unit = "s",
+     .symbol = "t",
+     .meaning = "when the tip passed the shock at the sides",
+     .always = false},
+};
+
+}  // namespace
+
+std::span<const ResultRow> Jet::results() { return rows; }
 
 Jet::Jet(const Scene& s)
     : impact_speed_(s.impact_speed),
@@ -48,10 +75,10 @@ void Jet::sample(const State& s, const Contour& contour) {
 
 void Jet::finish(RunResult& result) const {
   auto& m = result.metrics;
-  m.push_back({"jet_speed_m_s", speed_, "m/s", {}});
-  if (led_) m.push_back({"jet_lead_m", most_lead_, "m", {}});
-  if (impact_time_ >= 0) m.push_back({"jet_impact_time_s", impact_time_, "s", {}});
-  if (overtake_time_ >= 0) m.push_back({"jet_overtake_time_s", overtake_time_, "s", {}});
+  m.push_back(metric(row_of(rows, "jet_speed_m_s"), speed_));
+  if (led_) m.push_back(metric(row_of(rows, "jet_lead_m"), most_lead_));
+  if (impact_time_ >= 0) m.push_back(metric(row_of(rows, "jet_impact_time_s"), impact_time_));
+  if (overtake_time_ >= 0) m.push_back(metric(row_of(rows, "jet_overtake_time_s"), overtake_time_));
 }
 
 void Jet::carry(Archive& a) {

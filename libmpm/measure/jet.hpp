@@ -1,5 +1,6 @@
 #pragma once
 #include "libmpm/measure/contour.hpp"
+#include "libmpm/measure/results.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene/scene.hpp"
 
@@ -17,6 +18,7 @@ namespace mpm {
 /// jet_overtake_time_s if they happened.
 class Jet {
  public:
+  static std::span<const ResultRow> results();
   explicit Jet(const Scene&);
   void sample(const State&, const Contour&);
   void finish(RunResult&) const;

@@ -6,6 +6,41 @@
 namespace mpm {
 namespace {
 
+constexpr ResultRow rows[] = {
+    {.name = "shock_normal_stress_Pa",
+     .unit = "Pa",
+     .meaning = "normal stress behind the plastic front, compression positive",
+     .always = false},
+    {.name = "shock_pressure_Pa", .unit = "Pa", .symbol = "P", .meaning = "pressure there", .always = false},
+    {.name = "shock_von_mises_Pa",
+     .unit = "Pa",
+     .symbol = "q",
+     .meaning = "von Mises stress there",
+     .always = false},
+    {.name = "plateau_noise",
+     .unit = "1",
+     .meaning = "rms deviation of the normal stress there / its mean",
+     .has_interval = false,
+     .lower = 0,
+     .always = false},
+    {.name = "plastic_wave_speed_m_s",
+     .unit = "m/s",
+     .meaning = "Lagrangian speed of the plastic front",
+     .always = false},
+    {.name = "elastic_wave_speed_m_s",
+     .unit = "m/s",
+     .meaning = "Lagrangian speed of the elastic front; none if overdriven",
+     .always = false},
+    {.name = "elastic_limit_stress_Pa",
+     .unit = "Pa",
+     .meaning = "normal stress behind the elastic precursor, compression positive",
+     .always = false},
+    {.name = "free_surface_speed_m_s",
+     .unit = "m/s",
+     .meaning = "speed of the free surface after the shock, against the moving body",
+     .always = false},
+};
+
 constexpr std::size_t most_gauges = 128;
 
 /// Slope of the least-squares line through (x, y).
@@ -17,6 +52,8 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
 }
 
 }  // namespace
+
+std::span<const ResultRow> PlanarShock::results() { return rows; }
 
 PlanarShock::PlanarShock(const Scene& s, const State& state)
     : height_(s.block_height), impact_speed_(s.impact_speed) {
@@ -145,22 +182,20 @@ void PlanarShock::finish(const State&, RunResult& result) const {
   }
   const double noise = std::sqrt(square) / mean.normal_stress;
 
-  const auto add = [&](const char* name, double value, const char* unit) {
-    result.metrics.push_back({name, value, unit, {}});
-  };
-  add("shock_normal_stress_Pa", mean.normal_stress, "Pa");
-  add("shock_pressure_Pa", mean.pressure, "Pa");
-  add("shock_von_mises_Pa", mean.von_mises, "Pa");
-  add("plateau_noise", noise, "1");
+  const auto add = [&](const ResultRow& row, double value) { result.metrics.push_back(metric(row, value)); };
+  add(row_of(rows, "shock_normal_stress_Pa"), mean.normal_stress);
+  add(row_of(rows, "shock_pressure_Pa"), mean.pressure);
+  add(row_of(rows, "shock_von_mises_Pa"), mean.von_mises);
+  add(row_of(rows, "plateau_noise"), noise);
 
   const double plastic = front_speed(level);
-  if (plastic > 0) add("plastic_wave_speed_m_s", plastic, "m/s");
+  if (plastic > 0) add(row_of(rows, "plastic_wave_speed_m_s"), plastic);
   const double elastic_level = 0.5 * std::min(elastic_limit_, mean.normal_stress);
   const double elastic = front_speed(elastic_level);
   if (elastic > 0 && plastic < elastic_speed_) {
-    add("elastic_wave_speed_m_s", elastic, "m/s");
+    add(row_of(rows, "elastic_wave_speed_m_s"), elastic);
     const double limit = stress_between(elastic_level, level);
-    if (limit > 0 && mean.normal_stress > elastic_limit_) add("elastic_limit_stress_Pa", limit, "Pa");
+    if (limit > 0 && mean.normal_stress > elastic_limit_) add(row_of(rows, "elastic_limit_stress_Pa"), limit);
   }
 
   if (plastic > 0) {
@@ -169,7 +204,7 @@ void PlanarShock::finish(const State&, RunResult& result) const {
     double sum = 0, count = 0;
     for (std::size_t k = 0; k < times_.size(); ++k)
       if (times_[k] >= from && times_[k] <= to) sum += top_speed_[k], ++count;
-    if (count > 0 && times_.back() >= to) add("free_surface_speed_m_s", sum / count, "m/s");
+    if (count > 0 && times_.back() >= to) add(row_of(rows, "free_surface_speed_m_s"), sum / count);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/results.hpp"
 
 namespace mpm {
 
@@ -21,6 +22,7 @@ namespace mpm {
 /// elastic_limit_stress_Pa, free_surface_speed_m_s; each only if the run lasted long enough to show it.
 class PlanarShock : public Measurement {
  public:
+  static std::span<const ResultRow> results();
   PlanarShock(const Scene&, const State&);
   void after_step(const State&, const StepReport&, double dt) override;
   std::span<const std::size_t> watched() const override { return watched_; }

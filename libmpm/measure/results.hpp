@@ -1,13 +1,16 @@
 #pragma once
-/// The one list of every number that a job can come to (what a search finds out of many is no such number).
-/// Study files, ladders, intervals and the tests of the catalog's page are made from it: a new number is
-/// measured in libmpm/measure/ and has one row here. Checked by tests/runner/study/result_names_test.cpp,
-/// which runs every kind of scene.
+/// The one table of every number that a job can come to (what a search finds out of many is no such number).
+/// Study files, ladders, intervals, figures, SQL and the catalog's page are made from it. A measurement has
+/// its rows in its own file, beside the code that measures; kinds of scene name their measurements
+/// (kinds/kind.hpp). Checked by tests/runner/study/result_names_test.cpp, which runs every kind of scene.
 #include <limits>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
-#include "libmpm/scene/scene.hpp"
+#include "libmpm/result.hpp"
+#include "libmpm/scene/parameters.hpp"
 
 namespace mpm {
 
@@ -19,12 +22,11 @@ enum class Needs {
 
 /// One number of a job.
 struct ResultRow {
-  std::string_view name;     ///< in study files and in the catalog, with its unit: "stop_radius_m"
-  std::string_view unit;     ///< SI as in the catalog ("m2"); "1" for a pure number
-  std::string_view symbol;   ///< for figures, or ""
-  std::string_view meaning;  ///< one line
-  bool (*belongs_to)(SceneKind);
-  Needs needs = Needs::nothing;
+  std::string_view name;         ///< in study files and in the catalog, with its unit: "stop_radius_m"
+  std::string_view unit;         ///< SI as in the catalog ("m2"); "1" for a pure number
+  std::string_view symbol = "";  ///< for figures
+  std::string_view title = "";   ///< in figures, where it is not the name in words
+  std::string_view meaning;      ///< one line, for people: it stands on the catalog's page
   /// Whether cells of several sizes give it an interval. Not: what a run is given, what it costs, extremes of
   /// its health, and what is an error itself.
   bool has_interval = true;
@@ -33,13 +35,32 @@ struct ResultRow {
   double upper = std::numeric_limits<double>::infinity();
   /// What an accuracy is relative to: the absolute value, but no less than this.
   double least_scale = 0;
+  Needs needs = Needs::nothing;
+  bool always = true;                  ///< false: some runs do not show it, as an event that did not happen
+  bool metric = true;                  ///< whether it is one of RunResult::metrics, and in the view `metrics`
+  bool column = false;                 ///< whether it is a column of the view `jobs`
+  std::string_view error_column = "";  ///< of the view `jobs`, that has its interval
+  /// Means nothing where the view `jobs` has `flags`: the cavity is no closed hole at the end.
+  bool of_closed_cavity = false;
+  KindSet belongs_to = {};  ///< filled in by results()
 };
+
+/// The rows of one measurement.
+using Results = std::span<const ResultRow> (*)();
+
+/// The row of that name; a name that no row has does not compile.
+consteval const ResultRow& row_of(std::span<const ResultRow> rows, std::string_view name) {
+  for (const ResultRow& row : rows)
+    if (row.name == name) return row;
+  throw "no row of the table has this name";
+}
+/// What a run came to; its interval, where one is known.
+inline Metric metric(const ResultRow& row, double value, std::optional<double> error = {}) {
+  return {std::string(row.name), value, std::string(row.unit), error};
+}
 
 /// In the order of the catalog's page.
 std::span<const ResultRow> results();
 const ResultRow* find_result(std::string_view name);  ///< null if there is none
-
-/// What RunResult::outcome can say, beside "undecided". None: the kind of scene decides nothing.
-std::span<const std::string_view> outcomes_of(SceneKind);
 
 }  // namespace mpm

@@ -10,6 +10,19 @@
 namespace mpm {
 namespace {
 
+constexpr ResultRow rows[] = {
+    {.name = "stop_radius_m",
+     .unit = "m",
+     .meaning = "inner radius at which the shell stopped",
+     .always = false},
+    {.name = "stop_time_s", .unit = "s", .symbol = "t", .meaning = "when it did", .always = false},
+    {.name = "roundness",
+     .unit = "1",
+     .meaning = "(largest - smallest) / mean inner radius then: 0 is round",
+     .lower = 0,
+     .always = false},
+};
+
 constexpr double share_after_stop = 1.3;
 
 /// The lowest point of the parabola through three points: abscissa and ordinate.
@@ -23,6 +36,8 @@ Vec2 lowest(const double* t, const double* y) {
 }
 
 }  // namespace
+
+std::span<const ResultRow> Shell::results() { return rows; }
 
 Shell::Shell(const Scene& s, const State&)
     : center_(lattice_of(s).center), times_{0}, radii_{s.inner_radius} {
@@ -62,9 +77,9 @@ void Shell::finish(const State&, RunResult& result) const {
   result.outcome = stopped ? "arrested" : "undecided";
   if (!stopped) return;
   const Vec2 stop = lowest(&times_[stop_ - 1], &radii_[stop_ - 1]);
-  result.metrics.push_back({"stop_radius_m", stop.y(), "m", {}});
-  result.metrics.push_back({"stop_time_s", stop.x(), "s", {}});
-  result.metrics.push_back({"roundness", roundness_, "1", {}});
+  result.metrics.push_back(metric(row_of(rows, "stop_radius_m"), stop.y()));
+  result.metrics.push_back(metric(row_of(rows, "stop_time_s"), stop.x()));
+  result.metrics.push_back(metric(row_of(rows, "roundness"), roundness_));
 }
 
 void Shell::carry(Archive& a) {

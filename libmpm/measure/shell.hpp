@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/results.hpp"
 
 namespace mpm {
 
@@ -13,6 +14,7 @@ namespace mpm {
 /// / mean distance at the stop). Outcome: `arrested` if it stopped, else `undecided`.
 class Shell : public Measurement {
  public:
+  static std::span<const ResultRow> results();
   Shell(const Scene&, const State&);
   void after_step(const State&, const StepReport&, double dt) override;
   RowRange rows_read(const Grid&) const override;

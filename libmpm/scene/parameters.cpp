@@ -1,7 +1,6 @@
 #include "libmpm/scene/parameters.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -26,74 +25,56 @@ constexpr bool derived = true;
 /// Rows that every kind of scene has.
 // clang-format off
 constexpr Quantity common_quantities[] = {
-    {"end_time", "s", "end_time_s", "time at which a run ends",
+    {"end_time", "s", "t", "end_time_s", "time at which a run ends",
      P, positive, required, "", FIELD(end_time)},
-    {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress; infinite: elastic",
+    {"yield_stress", "Pa", "Y", "yield_stress_Pa", "initial yield stress; infinite: elastic",
      P, Range::non_negative_or_infinite, optional, "", FIELD(material.yield_stress)},
 
-    {"reference_density", "kg/m3", "reference_density_kg_m3", "density at rest",
+    {"reference_density", "kg/m3", "", "reference_density_kg_m3", "density at rest",
      M, positive, optional, "", FIELD(material.reference_density)},
-    {"youngs_modulus", "Pa", "youngs_modulus_Pa", "Young's modulus of the deviator",
+    {"youngs_modulus", "Pa", "", "youngs_modulus_Pa", "Young's modulus of the deviator",
      M, positive, optional, "", FIELD(material.youngs_modulus)},
-    {"poissons_ratio", "1", "poissons_ratio", "Poisson's ratio of the deviator",
+    {"poissons_ratio", "1", "", "poissons_ratio", "Poisson's ratio of the deviator",
      M, non_negative, optional, "", FIELD(material.poissons_ratio)},
-    {"hardening_modulus", "Pa", "hardening_modulus_Pa", "hardening modulus, in the measure of hardening_measure",
+    {"hardening_modulus", "Pa", "E", "hardening_modulus_Pa", "hardening modulus, in the measure of hardening_measure",
      M, non_negative, optional, "", FIELD(material.hardening_modulus)},
-    {"kinematic_fraction", "1", "kinematic_fraction", "share of the hardening that is kinematic",
+    {"kinematic_fraction", "1", "", "kinematic_fraction", "share of the hardening that is kinematic",
      M, non_negative, optional, "", FIELD(material.kinematic_fraction)},
-    {"bulk_sound_speed", "m/s", "bulk_sound_speed_m_s", "c0 of Us = c0 + lambda Up",
+    {"bulk_sound_speed", "m/s", "", "bulk_sound_speed_m_s", "c0 of Us = c0 + lambda Up",
      M, positive, optional, "", FIELD(material.bulk_sound_speed)},
-    {"hugoniot_slope", "1", "hugoniot_slope", "lambda of Us = c0 + lambda Up",
+    {"hugoniot_slope", "1", "", "hugoniot_slope", "lambda of Us = c0 + lambda Up",
      M, non_negative, optional, "", FIELD(material.hugoniot_slope)},
-    {"gruneisen_gamma", "1", "gruneisen_gamma", "Grueneisen coefficient at rest",
+    {"gruneisen_gamma", "1", "", "gruneisen_gamma", "Grueneisen coefficient at rest",
      M, non_negative, optional, "", FIELD(material.gruneisen_gamma)},
-    {"pressure_limit", "Pa", "pressure_limit_Pa", "pressure up to which the equation of state is valid",
+    {"pressure_limit", "Pa", "", "pressure_limit_Pa", "pressure up to which the equation of state is valid",
      M, positive, optional, "", FIELD(material.pressure_limit)},
-    {"specific_heat", "J/kg/K", "specific_heat_J_kg_K", "specific heat at constant volume",
+    {"specific_heat", "J/kg/K", "", "specific_heat_J_kg_K", "specific heat at constant volume",
      M, positive, optional, "", FIELD(material.specific_heat)},
-    {"initial_temperature", "K", "initial_temperature_K", "temperature at rest",
+    {"initial_temperature", "K", "", "initial_temperature_K", "temperature at rest",
      M, non_negative, optional, "", FIELD(material.initial_temperature)},
-    {"spall_strength", "Pa", "spall_strength_Pa", "tension at which pressure is cut off (tension = \"cutoff\")",
+    {"spall_strength", "Pa", "", "spall_strength_Pa", "tension at which pressure is cut off (tension = \"cutoff\")",
      M, non_negative, optional, "", FIELD(material.spall_strength)},
 
-    {"cell_size", "m", "cell_size_m", "edge of a grid cell",
+    {"cell_size", "m", "h", "cell_size_m", "edge of a grid cell",
      N, positive, required, "", FIELD(numerics.cell_size)},
-    {"particles_per_cell", "1", "particles_per_cell", "particles a cell: 1, 4, 9 or 16",
+    {"particles_per_cell", "1", "", "particles_per_cell", "particles a cell: 1, 4, 9 or 16",
      N, Range::count, optional, "",
      [](const S& s) -> double { return s.numerics.particles_per_cell; },
      [](S& s, double v) { s.numerics.particles_per_cell = static_cast<int>(v); }},
-    {"cfl", "1", "cfl", "share of the stability limit that a time step takes",
+    {"cfl", "1", "", "cfl", "share of the stability limit that a time step takes",
      N, positive, optional, "", FIELD(numerics.cfl)},
-    {"pic_fraction", "1", "pic_fraction", "share of PIC in the FLIP transfer, a step; damps what the grid cannot see",
+    {"pic_fraction", "1", "", "pic_fraction", "share of PIC in the FLIP transfer, a step; damps what the grid cannot see",
      N, non_negative, optional, "", FIELD(numerics.pic_fraction)},
-    {"linear_viscosity", "1", "linear_viscosity", "linear coefficient of the artificial viscosity",
+    {"linear_viscosity", "1", "", "linear_viscosity", "linear coefficient of the artificial viscosity",
      N, non_negative, optional, "", FIELD(numerics.linear_viscosity)},
-    {"quadratic_viscosity", "1", "quadratic_viscosity", "quadratic coefficient of the artificial viscosity",
+    {"quadratic_viscosity", "1", "", "quadratic_viscosity", "quadratic coefficient of the artificial viscosity",
      N, non_negative, optional, "", FIELD(numerics.quadratic_viscosity)},
 
-    {"area_every", "s", "area_every_s", "period of the area history",
+    {"area_every", "s", "", "area_every_s", "period of the area history",
      Section::measure, positive, optional, "", FIELD(measures.area_every)},
 };
 // clang-format on
 #undef FIELD
-
-/// An enumerator and its word.
-template <class E>
-struct Word {
-  E value;
-  std::string_view word;
-};
-/// The words of an enum, checked: each enumerator has one, in the order of the enum.
-template <class E, std::size_t count>
-constexpr std::array<std::string_view, count> words(const Word<E> (&list)[count]) {
-  static_assert(count == enumerators<E>(), "each enumerator has one word");
-  std::array<std::string_view, count> names;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (list[i].value != static_cast<E>(i)) throw "words must be in the order of their enum";
-    names[i] = list[i].word;
-  }
-  return names;
-}
 
 constexpr auto tension_words = words<Tension>(
     {{Tension::polynomial, "polynomial"}, {Tension::linear, "linear"}, {Tension::cutoff, "cutoff"}});

@@ -33,6 +33,7 @@ struct KindSet {
 struct Quantity {
   std::string_view name;     ///< in study files and messages: "impact_speed"
   std::string_view unit;     ///< SI; "1" for a pure number
+  std::string_view symbol;   ///< for figures, or ""
   std::string_view column;   ///< of the catalog: "impact_speed_m_s"
   std::string_view meaning;  ///< one line, for people
   Section section;
@@ -46,6 +47,7 @@ struct Quantity {
   /// The value that says what every scene did before there was the row; the default of the member of Scene.
   /// It is left out of the identity of a scene, so that what was computed then is still found.
   std::optional<double> implied = {};
+  std::string_view title = "";  ///< in figures, where it is not the name in words
 };
 
 /// A choice among words.

@@ -11,11 +11,14 @@ namespace mpm {
 /// every node of it, and a wall tears or a gap closes where the grid says so.
 inline constexpr double least_cells_across = 2;
 
-struct ThinPart {
+struct Part {
   std::string_view part;       ///< for people: "the wall above the cavity"
   std::string_view parameter;  ///< of the table of parameters, that decides its size
-  double size;                 ///< across [m], 0 or more
-  double cells;                ///< size / cell_size
+  double size;                 ///< across [m]
+};
+
+struct ThinPart : Part {
+  double cells;  ///< size / cell_size
 };
 
 /// All parts below least_cells_across, in a scene without problems (find_problems).

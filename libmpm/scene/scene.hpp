@@ -5,20 +5,18 @@
 #include <vector>
 
 #include "libmpm/material/material.hpp"
+#include "libmpm/scene/kinds/list.hpp"
 #include "libmpm/space/space.hpp"
 
 namespace mpm {
 
-/// What is simulated. x = 0 is a mirror axis of the configuration, in axisymmetry its axis: circles are
-/// spheres, and blocks are cylinders whose diameter is their width.
+/// What is simulated: the names of kinds/list.hpp. x = 0 is a mirror axis of the configuration, in
+/// axisymmetry its axis: circles are spheres, and blocks are cylinders whose diameter is their width. Nothing
+/// outside kinds/ asks a scene for its kind: what is special about one stands in its Kind (kinds/kind.hpp).
 enum class SceneKind {
-  cavity_impact,    ///< a block with a cavity; y along the impact, the impact wall is y = 0, v_y =
-                    ///< -impact_speed
-  planar_impact,    ///< the same block without the cavity
-  two_body_impact,  ///< the block with the cavity at -impact_speed onto a block of the same size without one,
-                    ///< which comes at +impact_speed; they meet at y = 0, and hold together there once they
-                    ///< have met
-  imploding_shell   ///< a ring that nothing touches, with v(r) = -inner_speed inner_radius / r
+#define MPM_ENUMERATOR(name) name,
+  MPM_SCENE_KINDS(MPM_ENUMERATOR)
+#undef MPM_ENUMERATOR
 };
 
 enum class ShapeFunction {
@@ -51,11 +49,6 @@ enum class Precision {
   double_precision,
   single_precision,  ///< half the memory, about twice the speed; areas to about four digits
 };
-
-/// A block with a cavity in it.
-constexpr bool has_cavity(SceneKind k) {
-  return k == SceneKind::cavity_impact || k == SceneKind::two_body_impact;
-}
 
 /// How a scene is computed. Make one with default_numerics(), which knows what suits a kind of scene.
 struct Numerics {

@@ -1,15 +1,20 @@
 #include "runner/catalog/records.hpp"
 
-#include <array>
-
+#include "libmpm/core/enumerators.hpp"
 #include "runner/catalog/catalog_error.hpp"
 
 namespace mpmstudy {
 namespace {
-constexpr std::array<std::string_view, 5> status_names = {"planned", "running", "done", "failed",
-                                                          "cancelled"};
-constexpr std::array<std::string_view, 5> failure_names = {"breakdown", "timeout", "memory", "crash",
-                                                           "error"};
+constexpr auto status_names = mpm::words<JobStatus>({{JobStatus::planned, "planned"},
+                                                     {JobStatus::running, "running"},
+                                                     {JobStatus::done, "done"},
+                                                     {JobStatus::failed, "failed"},
+                                                     {JobStatus::cancelled, "cancelled"}});
+constexpr auto failure_names = mpm::words<FailureKind>({{FailureKind::breakdown, "breakdown"},
+                                                        {FailureKind::timeout, "timeout"},
+                                                        {FailureKind::memory, "memory"},
+                                                        {FailureKind::crash, "crash"},
+                                                        {FailureKind::error, "error"}});
 }  // namespace
 
 std::string_view to_string(JobStatus status) { return status_names[static_cast<std::size_t>(status)]; }

@@ -1,7 +1,5 @@
 #include "runner/catalog/schema.hpp"
 
-#include <algorithm>
-
 #include "libmpm/scene/parameters.hpp"
 
 namespace mpmstudy {
@@ -262,10 +260,6 @@ UPDATE fit SET r2 = NULL WHERE points <= (SELECT count(*) FROM fit f WHERE f.stu
 std::vector<ParameterColumn> parameter_columns() {
   std::vector<ParameterColumn> columns;
   for (const auto& quantity : mpm::quantities()) columns.push_back({std::string(quantity.column), "REAL"});
-  // Promised to queries before the scenes that have them exist.
-  for (const char* name : {"inner_radius_m", "outer_radius_m", "inner_speed_m_s"})
-    if (std::ranges::none_of(columns, [&](const auto& column) { return column.name == name; }))
-      columns.push_back({name, "REAL"});
   for (const auto& choice : mpm::choices()) columns.push_back({std::string(choice.column), "TEXT"});
   return columns;
 }

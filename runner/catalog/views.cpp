@@ -1,4 +1,5 @@
 // The views of a catalog (README.md), over the tables of schema.cpp.
+#include "libmpm/measure/results.hpp"
 #include "libmpm/scene/physics_version.hpp"
 #include "runner/catalog/schema.hpp"
 
@@ -125,8 +126,9 @@ void replace_all(std::string& sql, std::string_view what, const std::string& wit
 
 /// What stands between two @ is said once, here.
 std::string filled(std::string sql) {
-  for (const char* quantity : {"final_area_m2", "collapsibility"})
-    replace_all(sql, "@error of " + std::string(quantity) + "@", error_of(quantity));
+  for (const mpm::ResultRow& row : mpm::results())
+    if (!row.error_column.empty())
+      replace_all(sql, "@error of " + std::string(row.name) + "@", error_of(std::string(row.name)));
   replace_all(sql, "@widest@", widest_interval);
   replace_all(sql, "@room@", room_of_collapsed);
   replace_all(sql, "@stale@", stale_sql());
@@ -147,15 +149,16 @@ std::string ladders_sql() {
            "JOIN job r ON r.id = n.job_id " +
            rest;
   };
-  return "DROP VIEW IF EXISTS ladders;\nCREATE VIEW ladders AS " +
-         select("c.name", "c.value", "c.unit", "c.error", "JOIN metric c ON c.job_id = r.id") +
-         "\nUNION ALL " +
-         select("'collapsibility'", "r.collapsibility", "'1'", "r.collapsibility_error",
-                "WHERE r.collapsibility IS NOT NULL") +
-         "\nUNION ALL " +
-         select("'final_area_m2'", "r.final_area_m2", "'m2'", "r.final_area_error_m2",
-                "WHERE r.final_area_m2 IS NOT NULL") +
-         "\nUNION ALL " + select("NULL", "NULL", "NULL", "NULL", "WHERE r.status <> 'done'") + ";\n";
+  std::string sql = "DROP VIEW IF EXISTS ladders;\nCREATE VIEW ladders AS " +
+                    select("c.name", "c.value", "c.unit", "c.error", "JOIN metric c ON c.job_id = r.id");
+  for (const mpm::ResultRow& row : mpm::results()) {
+    if (row.error_column.empty()) continue;
+    const std::string column = "r." + std::string(row.name);
+    sql +=
+        "\nUNION ALL " + select("'" + std::string(row.name) + "'", column, "'" + std::string(row.unit) + "'",
+                                "r." + std::string(row.error_column), "WHERE " + column + " IS NOT NULL");
+  }
+  return sql + "\nUNION ALL " + select("NULL", "NULL", "NULL", "NULL", "WHERE r.status <> 'done'") + ";\n";
 }
 
 }  // namespace

@@ -9,11 +9,13 @@
 
 #include "analysis/plot.hpp"
 #include "analysis/units.hpp"
+#include "libmpm/measure/results.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/cli/print_failures.hpp"
 #include "runner/cli/text_table.hpp"
 #include "runner/finish/fits.hpp"
+#include "runner/finish/labels.hpp"
 #include "runner/finish/study_results.hpp"
 #include "runner/status/label.hpp"
 
@@ -34,9 +36,11 @@ struct Result {
 };
 
 Result result_named(const std::string& name, const std::vector<std::string>& columns_of_jobs) {
-  if (name == "collapsibility") return {name, "j.collapsibility", "j.collapsibility_error"};
-  if (name == "final_area_m2") return {name, "j.final_area_m2", "j.final_area_error_m2"};
-  if (std::ranges::find(columns_of_jobs, name) != columns_of_jobs.end()) return {name, "j." + name, "NULL"};
+  if (std::ranges::find(columns_of_jobs, name) != columns_of_jobs.end()) {
+    const mpm::ResultRow* row = mpm::find_result(name);
+    const bool has_error = row && !row->error_column.empty();
+    return {name, "j." + name, has_error ? "j." + std::string(row->error_column) : "NULL"};
+  }
   const auto of_metric = [&](const char* what) {
     return fmt::format("(SELECT m.{} FROM metrics m WHERE m.key = j.key AND m.name = '{}')", what, name);
   };
@@ -273,8 +277,8 @@ std::string fits_text(const Study& study, const std::filesystem::path& results) 
   const StudyResults read = read_results(study, results);
   std::string text;
   for (const FitRequest& request : study.fits) {
-    const auto x = analysis::named_quantity(request.x, mpm::find_quantity(request.x)->unit);
-    const auto y = analysis::named_quantity(request.y, unit_of(read, request.y));
+    const auto x = label_of(request.x, mpm::find_quantity(request.x)->unit);
+    const auto y = label_of(request.y, unit_of(read, request.y));
     for (const Group& group : group_jobs(study, read, curve_of(study, request.x, request.y))) {
       const Column c = column_of(read, group, request.x, request.y);
       if (c.x.empty() && stands_elsewhere(group, request.y)) continue;

@@ -15,6 +15,7 @@
 #include "runner/finish/calibration.hpp"
 #include "runner/finish/fields.hpp"
 #include "runner/finish/fits.hpp"
+#include "runner/finish/labels.hpp"
 #include "runner/study/critical_names.hpp"
 
 namespace mpmstudy {
@@ -32,8 +33,8 @@ bool draw_history(const Study& study, const StudyResults& results, const FigureR
   plot.kind = analysis::Plot::Kind::history;
   plot.title = request.title;
   plot.footer = footer_of(results);
-  plot.x = analysis::named_quantity("time");
-  plot.y = analysis::named_quantity("area");
+  plot.x = label_of("time");
+  plot.y = label_of("area");
   plot.y_from_zero = true;
   for (const Group& group : group_jobs(study, results, {}))
     for (const JobResults* job : group.jobs) {
@@ -69,7 +70,7 @@ void add_extrapolated(const Study& study, const StudyResults& results, const Fig
 
 /// "Critical yield stress": of either name of a search's result.
 analysis::Quantity critical_label(const mpm::Quantity& searched) {
-  auto label = analysis::named_quantity(searched.name, searched.unit);
+  auto label = label_of(searched.name, searched.unit);
   if (!label.name.empty() && label.name[0] >= 'A' && label.name[0] <= 'Z')
     label.name[0] = static_cast<char>(label.name[0] - 'A' + 'a');
   label.name = "Critical " + label.name;
@@ -94,10 +95,9 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   plot.kind = analysis::Plot::Kind::xy;
   plot.title = request.title;
   plot.footer = footer_of(results);
-  plot.x = analysis::named_quantity(request.x, mpm::find_quantity(request.x)->unit);
-  plot.y = results.critical && critical_result(request.y)
-               ? critical_label(*results.critical)
-               : analysis::named_quantity(request.y, unit_of(results, request.y));
+  plot.x = label_of(request.x, mpm::find_quantity(request.x)->unit);
+  plot.y = results.critical && critical_result(request.y) ? critical_label(*results.critical)
+                                                          : label_of(request.y, unit_of(results, request.y));
   const auto groups = group_jobs(study, results, curve_of(study, request.x, request.y));
   for (const Group& group : groups) {
     Column c = column_of(results, group, request.x, request.y);
@@ -127,7 +127,7 @@ std::vector<analysis::FieldPanel> panels_of(const std::vector<fs::path>& files, 
     panels.push_back({"", particles_of(s, field)});
     times.push_back(s.time);
   }
-  const auto titles = analysis::value_labels(analysis::named_quantity("time"), times);
+  const auto titles = analysis::value_labels(label_of("time"), times);
   for (std::size_t i = 0; i < panels.size(); ++i) panels[i].title = titles[i];
   return panels;
 }
@@ -142,7 +142,7 @@ std::vector<fs::path> draw_fields(const Study& study, const StudyResults& result
     analysis::FieldPlot plot;
     plot.title = groups[g].label.empty() ? request.title : request.title + ", " + groups[g].label;
     plot.footer = footer_of(results);
-    plot.value = analysis::named_quantity(request.y);
+    plot.value = label_of(request.y);
     plot.mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
     plot.panels = panels_of(snapshots_of(results, job), request.y);
     if (plot.panels.empty()) continue;

@@ -18,6 +18,7 @@
 #include "runner/finish/fields.hpp"
 #include "runner/finish/figures.hpp"
 #include "runner/finish/fits.hpp"
+#include "runner/finish/labels.hpp"
 #include "runner/finish/reference_claims.hpp"
 #include "runner/finish/standing.hpp"
 #include "runner/finish/study_results.hpp"
@@ -121,7 +122,7 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
     values.insert(values.end(), frames.back().value.begin(), frames.back().value.end());
   }
   if (frames.size() < 3) return {};
-  animation.captions = analysis::value_labels(analysis::named_quantity("time"), times);
+  animation.captions = analysis::value_labels(label_of("time"), times);
   const bool mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
   std::vector<const analysis::Particles*> all;
   for (const auto& frame : frames) all.push_back(&frame);
@@ -146,7 +147,7 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
       }
     animation.frames.push_back(std::move(pixels));
   }
-  const analysis::Quantity quantity = analysis::named_quantity(field);
+  const analysis::Quantity quantity = label_of(field);
   const analysis::DisplayUnit unit =
       analysis::display_unit(quantity.unit, std::max(std::abs(low), std::abs(high)));
   animation.low = fmt::format("{:.3g}", low * unit.factor);

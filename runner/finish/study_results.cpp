@@ -10,8 +10,10 @@
 #include <set>
 
 #include "analysis/units.hpp"
+#include "libmpm/measure/results.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/query.hpp"
+#include "runner/finish/labels.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/critical_names.hpp"
@@ -19,16 +21,6 @@
 
 namespace mpmstudy {
 namespace {
-
-constexpr const char* job_columns[] = {"collapsibility", "final_area_m2", "initial_area_m2", "energy_error",
-                                       "particles",      "steps",         "wall_s",          "cpu_s"};
-/// Columns of the view `jobs` whose error stands in a column of its own.
-constexpr std::pair<const char*, const char*> job_errors[] = {{"collapsibility", "collapsibility_error"},
-                                                              {"final_area_m2", "final_area_error_m2"}};
-
-bool is_job_column(const std::string& name) {
-  return std::ranges::any_of(job_columns, [&](const char* column) { return name == column; });
-}
 
 std::optional<double> number(const SqlValue& value) {
   if (const auto* real = std::get_if<double>(&value)) return *real;
@@ -39,9 +31,6 @@ std::optional<double> number(const SqlValue& value) {
 Rows ask(const StudyResults& results, const std::string& sql, const SqlValue& parameter) {
   return query(results.folder, sql, std::span(&parameter, 1));
 }
-
-/// Of the final area.
-constexpr const char* of_the_final_area[] = {"collapsibility", "final_area_m2", "final_void_area_m2"};
 
 bool differs_by_rounding(double a, double b) {
   constexpr double rounding = 1e-12;  // values of a study are written with twelve digits at most
@@ -79,7 +68,7 @@ SweptValues swept_values(const std::string& name, const std::vector<JobResults>&
     values.push_back(distinct[swept.which.back()]);
     swept.json.push_back(without_rounding(values.back()));
   }
-  swept.labels = analysis::value_labels(analysis::named_quantity(name, q->unit), values);
+  swept.labels = analysis::value_labels(label_of(name, q->unit), values);
   return swept;
 }
 
@@ -171,7 +160,8 @@ std::vector<std::string> lines_of_brackets(const Study& study, const StudyResult
 }  // namespace
 
 bool is_of_the_final_area(const std::string& name) {
-  return std::ranges::any_of(of_the_final_area, [&](const char* one) { return name == one; });
+  const mpm::ResultRow* row = mpm::find_result(name);
+  return row && row->of_closed_cavity;
 }
 
 bool is_doubtful(const std::string& flags) {
@@ -227,12 +217,11 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
     if (is_doubtful(job.flags)) return std::nullopt;
     return critical == CriticalResult::bracket ? job.critical : job.extrapolated;
   }
+  const mpm::ResultRow* known = mpm::find_result(name);
   if (is_of_the_final_area(name) && !flags_of(results, job).empty()) return std::nullopt;
   Rows rows;
-  if (is_job_column(name)) {
-    std::string error = "NULL";
-    for (const auto& [column, error_column] : job_errors)
-      if (name == column) error = error_column;
+  if (known && known->column) {
+    const std::string_view error = known->error_column.empty() ? "NULL" : known->error_column;
     const SqlValue parameters[] = {job.key, results.study};
     rows =
         query(results.folder,
@@ -249,7 +238,8 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
 
 std::string unit_of(const StudyResults& results, const std::string& name) {
   if (results.critical && critical_result(name)) return std::string(results.critical->unit);
-  if (is_job_column(name)) return name.ends_with("_m2") ? "m^2" : name.ends_with("_s") ? "s" : "1";
+  if (const mpm::ResultRow* row = mpm::find_result(name))
+    return row->column ? analysis::with_powers(row->unit) : std::string(row->unit);
   const Rows rows = ask(results, "SELECT unit FROM metrics WHERE name = ?1 LIMIT 1", name);
   return rows.rows.empty() ? "1" : std::get<std::string>(rows.rows[0][0]);
 }
@@ -300,11 +290,11 @@ std::vector<Group> group_jobs(const Study& study, const StudyResults& results,
 std::vector<std::string> left_out(const Study& study, const StudyResults& results) {
   const std::set<std::string> asked = results_asked_for(study);
   std::vector<std::string> lines = lines_of_brackets(study, results, true);
-  for (const char* name : of_the_final_area) {
-    if (!asked.contains(name)) continue;
+  for (const mpm::ResultRow& row : mpm::results()) {
+    if (!row.of_closed_cavity || !asked.contains(std::string(row.name))) continue;
     for (const JobResults& job : results.done)
       if (const std::string flags = flags_of(results, job); !flags.empty())
-        lines.push_back(fmt::format("{} of job {}: {}", name, short_key(job.key), flags));
+        lines.push_back(fmt::format("{} of job {}: {}", row.name, short_key(job.key), flags));
   }
   return lines;
 }

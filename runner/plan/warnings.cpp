@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 
 #include "libmpm/scene/effect.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "libmpm/scene/resolution.hpp"
 #include "runner/study/readable.hpp"
@@ -53,7 +53,8 @@ std::string jobs_text(std::size_t some, std::size_t all) {
 
 class Warnings {
  public:
-  Warnings(const Study& study, const Plan& plan) : study_(study), plan_(plan) {}
+  Warnings(const Study& study, const Plan& plan)
+      : study_(study), plan_(plan), kind_(mpm::kind_of(study.kind)) {}
 
   std::vector<std::string> all() {
     lines_ = study_.warnings;
@@ -144,22 +145,11 @@ class Warnings {
                       plan_.ladders.empty() ? "" : ", the ladder's coarsest"));
   }
 
-  /// Once the shock has run to the free rear of each body and the release has come back, real bodies part.
-  static double parting_time(const mpm::Scene& s) {
-    const mpm::Material& m = s.material;
-    const double u = s.impact_speed, shock = m.bulk_sound_speed + m.hugoniot_slope * u;
-    const double shear = 4 * m.shear_modulus() / (3 * m.reference_density);
-    const double release =
-        std::sqrt(m.bulk_sound_speed * m.bulk_sound_speed + shear) + 2 * m.hugoniot_slope * u;
-    return s.block_height / shock + s.block_height * std::max(0.0, 1 - u / shock) / release;
-  }
-
   void bodies_that_hold_together() {
-    if (study_.kind != mpm::SceneKind::two_body_impact) return;
     std::size_t jobs = 0;
     double earliest = infinity, end = 0;
     for (const mpm::Scene& scene : study_.scenes)
-      if (const double parting = parting_time(scene); scene.end_time > parting) {
+      if (const double parting = kind_.parting_time(scene); scene.end_time > parting) {
         ++jobs;
         if (parting < earliest) earliest = parting, end = scene.end_time;
       }
@@ -171,16 +161,13 @@ class Warnings {
   }
 
   void beyond_the_equation_of_state() {
-    if (study_.kind == mpm::SceneKind::imploding_shell) return;
     double highest = 0, limit = 0;
     std::size_t jobs = 0;
     for (const mpm::Scene& scene : study_.scenes) {
-      const mpm::Material& m = scene.material;
-      const double u = scene.impact_speed;
-      const double pressure = m.reference_density * (m.bulk_sound_speed + m.hugoniot_slope * u) * u;
-      if (pressure <= m.pressure_limit) continue;
+      const double pressure = kind_.shock_pressure(scene);
+      if (pressure <= scene.material.pressure_limit) continue;
       ++jobs;
-      if (pressure > highest) highest = pressure, limit = m.pressure_limit;
+      if (pressure > highest) highest = pressure, limit = scene.material.pressure_limit;
     }
     if (jobs > 0)
       say("impact_speed",
@@ -200,6 +187,7 @@ class Warnings {
 
   const Study& study_;
   const Plan& plan_;
+  const mpm::Kind& kind_;
   std::vector<std::string> lines_;
 };
 

@@ -1,15 +1,18 @@
 #include "runner/study/combine.hpp"
 
 #include <algorithm>
-#include <array>
 
+#include "libmpm/core/enumerators.hpp"
 #include "runner/study/sampling.hpp"
 #include "runner/study/schema.hpp"
 
 namespace mpmstudy {
 namespace {
 
-constexpr std::array<std::string_view, 4> mode_names = {"grid", "zip", "random", "latin-hypercube"};
+constexpr auto mode_names = mpm::words<SweepMode>({{SweepMode::grid, "grid"},
+                                                   {SweepMode::zip, "zip"},
+                                                   {SweepMode::random, "random"},
+                                                   {SweepMode::latin_hypercube, "latin-hypercube"}});
 
 bool is_sampled(SweepMode mode) { return mode == SweepMode::random || mode == SweepMode::latin_hypercube; }
 

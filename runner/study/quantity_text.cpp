@@ -107,7 +107,11 @@ Number read_quantity(const Value& value, const Expected& expected, const Units& 
   if (unit.empty() && expected.unit != "1") return refuse("no unit", expected);
   const auto conversion = units.conversion(unit, expected.unit);
   if (const auto* wrong = std::get_if<std::string>(&conversion)) return refuse(*wrong, expected);
-  return convert(digits.substr(0, length), std::get<Conversion>(conversion), expected);
+  const auto& known = std::get<Conversion>(conversion);
+  if (expected.difference && !known.shift && known.offset != 0)
+    return Refusal{"is a difference, and the unit has a zero point of its own",
+                   "allowed: a width in " + std::string(expected.unit)};
+  return convert(digits.substr(0, length), known, expected);
 }
 
 }  // namespace mpmstudy

@@ -13,10 +13,12 @@ namespace mpmstudy {
 /// A number in SI, or why there is none.
 using Number = std::variant<double, Refusal>;
 
-/// What a quantity must be: SI unit ("1": a pure number) and range.
+/// What a quantity must be.
 struct Expected {
-  std::string_view unit;
+  std::string_view unit;  ///< SI; "1": a pure number
   mpm::Range range = mpm::Range::any;
+  /// A width, not a place: units with a zero point of their own (degC) have none.
+  bool difference = false;
 };
 
 /// Reads one value: "10 um", or a plain number where the unit is "1".

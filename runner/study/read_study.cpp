@@ -267,7 +267,7 @@ class Reader {
 
   /// Jobs that decide collapse never have the outcome "ejected", and the other way round.
   void refuse_other_outcomes(const Table& search) {
-    if (!kind_ || !mpm::has_cavity(*kind_)) return;
+    if (!kind_) return;
     for (const Axis& axis : request_.axes) {
       if (axis.name() != "decides") continue;
       for (const Point& point : axis.points)

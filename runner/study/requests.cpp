@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/fit.hpp"
+#include "libmpm/core/enumerators.hpp"
+#include "libmpm/io/fields.hpp"
 #include "libmpm/measure/results.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 #include "runner/study/characters.hpp"
 #include "runner/study/critical_names.hpp"
 #include "runner/study/ladder.hpp"
@@ -17,33 +21,34 @@
 namespace mpmstudy {
 namespace {
 
-constexpr std::array<std::string_view, 2> models = {"linear", "quadratic"};
 constexpr std::array<std::string_view, 4> figure_kinds = {"history", "xy", "fields", "calibration"};
 /// The first ones give an interval, and finer ones what it is held against.
 constexpr int cells_of_calibration = first_cells + 1;
-constexpr std::array<std::string_view, 3> expected_outcomes = {"holds", "breaks", "refused"};
+using Outcome = Expectation::Outcome;
+constexpr auto expected_outcomes = mpm::words<Outcome>(
+    {{Outcome::holds, "holds"}, {Outcome::breaks, "breaks"}, {Outcome::refused, "refused"}});
 /// Kinds of figure that a kind of scene can fill: a history is that of the cavity's area.
 std::vector<std::string_view> figure_kinds_of(std::optional<mpm::SceneKind> kind) {
   std::vector<std::string_view> kinds(figure_kinds.begin(), figure_kinds.end());
-  if (kind && !mpm::has_cavity(*kind)) std::erase(kinds, "history");
+  if (kind && !mpm::kind_of(*kind).has_area_history) std::erase(kinds, "history");
   return kinds;
 }
 
-std::vector<std::string_view> outcome_names(std::optional<mpm::SceneKind> kind) {
-  const auto of = mpm::outcomes_of(kind.value_or(mpm::SceneKind::cavity_impact));
-  return {of.begin(), of.end()};
+/// Of a kind of scene; of all of them, if the file does not say which.
+std::vector<std::string_view> outcome_names(std::optional<mpm::SceneKind> wanted) {
+  std::vector<std::string_view> names;
+  for (const mpm::Kind* kind : mpm::kinds())
+    for (const std::string_view outcome : kind->outcomes)
+      if ((!wanted || kind->kind == *wanted) && std::ranges::find(names, outcome) == names.end())
+        names.push_back(outcome);
+  return names;
 }
 
-/// Columns of mpm::Snapshot.
-constexpr std::string_view fields[] = {"velocity_x",   "velocity_y",
-                                       "density",      "pressure",
-                                       "stress_xx",    "stress_yy",
-                                       "stress_xy",    "stress_zz",
-                                       "von_mises",    "equivalent_plastic_strain",
-                                       "plastic_work", "specific_internal_energy",
-                                       "temperature"};
-
-std::span<const std::string_view> all_fields() { return fields; }
+std::vector<std::string_view> field_names() {
+  std::vector<std::string_view> names;
+  for (const mpm::Field& field : mpm::fields()) names.push_back(field.name);
+  return names;
+}
 
 /// One word out of a list, required.
 template <class Words>
@@ -150,9 +155,9 @@ void for_each_table(const Table& document, std::string_view name, Problems& prob
 }
 
 /// A number of [search] in the unit of its critical quantity.
-std::optional<double> read_bound(std::string_view key, const Value& value, const mpm::Quantity& row,
-                                 mpm::Range range, const Units& units, Problems& problems) {
-  const Number number = read_quantity(value, {row.unit, range}, units);
+std::optional<double> read_bound(std::string_view key, const Value& value, const Expected& expected,
+                                 const Units& units, Problems& problems) {
+  const Number number = read_quantity(value, expected, units);
   if (const auto* refusal = std::get_if<Refusal>(&number)) {
     problems.add(key, value, *refusal);
     return std::nullopt;
@@ -175,8 +180,8 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
   }
   const mpm::Range range =  // both ends are finite
       row.range == mpm::Range::non_negative_or_infinite ? mpm::Range::non_negative : row.range;
-  const auto lower = read_bound("between", (*list)[0], row, range, units, problems);
-  const auto upper = read_bound("between", (*list)[1], row, range, units, problems);
+  const auto lower = read_bound("between", (*list)[0], {row.unit, range}, units, problems);
+  const auto upper = read_bound("between", (*list)[1], {row.unit, range}, units, problems);
   if (!lower || !upper) return;
   if (!(*lower < *upper)) problems.add("between", entry->value, shape);
   search.lower = *lower;
@@ -258,7 +263,7 @@ std::vector<FitRequest> read_fits(const Table& document, const RequestContext& c
     FitRequest fit;
     fit.x = read_x(entry, table, context, problems);
     fit.y = read_y(entry, table, context, problems);
-    fit.model = read_word(entry, table, "model", "model", models, problems);
+    fit.model = read_word(entry, table, "model", "model", analysis::fit_model_names(), problems);
     fits.push_back(fit);
   });
   return fits;
@@ -278,7 +283,7 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
         problems.add("name", table.find("name")->value, {"two figures of one name", "give each its own"});
     if (table.find("title")) figure.title = required_title(table, entry.place, problems).value_or("");
     figure.kind = read_word(entry, table, "kind", "kind of figure", figure_kinds, problems);
-    if (figure.kind == "history" && context.kind && !mpm::has_cavity(*context.kind))
+    if (figure.kind == "history" && context.kind && !mpm::kind_of(*context.kind).has_area_history)
       problems.add("kind", table.find("kind")->value,
                    {std::string(mpm::to_string(*context.kind)) + " has no history of a cavity's area",
                     "allowed: " + listed(figure_kinds_of(context.kind))});
@@ -295,7 +300,7 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
       figure.y = read_y(entry, table, context, problems);
     } else if (figure.kind == "fields") {
       refuse("x");
-      figure.y = read_word(entry, table, "y", "field", all_fields(), problems);
+      figure.y = read_word(entry, table, "y", "field", field_names(), problems);
     } else if (figure.kind == "calibration") {
       refuse("x");
       figure.y = read_result(entry, table, context, problems, with_interval);
@@ -314,22 +319,10 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
   return figures;
 }
 
-/// A width, not a place: units with a zero point of their own (degC) have no width.
 double read_tolerance(const Value& value, const mpm::Quantity& row, const SearchRequest& search,
                       const Units& units, Problems& problems) {
-  if (const std::string* text = value.string()) {
-    const auto unit = text->find_first_not_of("+-.0123456789eE \t");
-    const auto conversion = units.conversion(
-        unit == std::string::npos ? std::string_view("1") : std::string_view(*text).substr(unit), row.unit);
-    const auto* known = std::get_if<Conversion>(&conversion);
-    if (known && !known->shift && known->offset != 0) {
-      problems.add("tolerance", value,
-                   {"is a difference, and the unit has a zero point of its own",
-                    "allowed: a width in " + std::string(row.unit)});
-      return 0;
-    }
-  }
-  const double width = read_bound("tolerance", value, row, mpm::Range::positive, units, problems).value_or(0);
+  const Expected expected{row.unit, mpm::Range::positive, true};
+  const double width = read_bound("tolerance", value, expected, units, problems).value_or(0);
   if (search.upper > search.lower && width > search.upper - search.lower)
     problems.add("tolerance", value,
                  {"is wider than `between`, so that nothing is left to search",
@@ -347,7 +340,7 @@ std::optional<SearchRequest> read_search(const Table& document, std::optional<mp
   for (const mpm::Quantity& row : mpm::quantities())
     if (!kind || row.belongs_to(*kind)) names.push_back(row.name);
   search.critical = read_word(*entry, table, "critical", "quantity", names, problems);
-  if (kind && mpm::outcomes_of(*kind).empty())
+  if (kind && outcome_names(kind).empty())
     problems.add(entry->place, "search",
                  {std::string(mpm::to_string(*kind)) + " has no outcome to look for", "remove [search]"});
   else
@@ -364,16 +357,14 @@ std::optional<SearchRequest> read_search(const Table& document, std::optional<mp
 }
 
 std::optional<Expectation> read_expectation(const Table& document, const Units& units, Problems& problems) {
-  using Outcome = Expectation::Outcome;
   const Entry* entry = document.find("expect");
   if (!entry || !entry->value.table()) return std::nullopt;
   const Table& table = *entry->value.table();
   Expectation expected;
   const std::string outcome =
       read_word(*entry, table, "outcome", "expected outcome", expected_outcomes, problems);
-  expected.outcome = outcome == "breaks"    ? Outcome::breaks
-                     : outcome == "refused" ? Outcome::refused
-                                            : Outcome::holds;
+  if (const auto at = std::ranges::find(expected_outcomes, outcome); at != expected_outcomes.end())
+    expected.outcome = static_cast<Outcome>(at - expected_outcomes.begin());
   expected.why = required_string(table, entry->place, "why", "why the case is hard", problems).value_or("");
   if (expected.outcome != Outcome::holds)
     expected.reason =

@@ -66,10 +66,10 @@ TEST_F(FieldPlotTest, PanelsTitlesUnitsAndSize) {
   FieldPlot plot;
   plot.title = "Pressure";
   plot.footer = "physics version 1";
-  plot.value = named_quantity("pressure");
+  plot.value = quantity_of("pressure", "Pa", "P");
   plot.mirrored = true;
   for (const double t : {1.0e-9, 1.62e-9, 2.2e-9, 16e-9}) {
-    FieldPanel panel{value_label(named_quantity("time"), t), make_block(0.05, 0.5)};
+    FieldPanel panel{value_label(quantity_of("time", "s", "t"), t), make_block(0.05, 0.5)};
     for (auto column : {&Particles::x, &Particles::y, &Particles::size})
       for (double& v : panel.particles.*column) v *= 5e-6;
     for (double& v : panel.particles.value) v *= 3e9;
@@ -102,7 +102,7 @@ double place_of(const std::string& svg, const std::string& text) {
 TEST_F(FieldPlotTest, TitlesOfNarrowPanelsStandApart) {
   FieldPlot plot;
   plot.title = "Pressure";
-  plot.value = named_quantity("pressure");
+  plot.value = quantity_of("pressure", "Pa", "P");
   for (const char* title : {"t = 1.6201 ns", "t = 1.6202 ns", "t = 1.6203 ns"}) {
     Particles p = make_block(0.05, 0.5);
     for (double& x : p.x) x /= 20;  // a tall, narrow body
@@ -116,7 +116,7 @@ TEST_F(FieldPlotTest, TitlesOfNarrowPanelsStandApart) {
 
 TEST_F(FieldPlotTest, OneParticleWithoutAValueToSpeakOfIsDrawn) {
   FieldPlot plot;
-  plot.value = named_quantity("plastic_work");
+  plot.value = quantity_of("plastic_work", "J/m^3");
   plot.panels.push_back({"t = 0 ns", {{1e-6}, {2e-6}, {1e-7}, {0}}});
   draw(plot, folder_ / "one");
   EXPECT_GT(png_size(read("one.png")).first, 0);

@@ -1,45 +1,56 @@
 // Kinds of scene and the table of parameters that is made of them.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstring>
-#include <functional>
+#include <filesystem>
+#include <fstream>
+#include <regex>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "libmpm/core/enumerators.hpp"
+#include "libmpm/measure/results.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 #include "tests/libmpm/scenes.hpp"
 
 namespace {
 
+/// Visits the members of one object under their names, but for those that hold others and those without a
+/// row: the kind and the times of snapshots stand in a job's key by themselves, and the name of a material is
+/// no part of what it is.
+template <class Visit, class... Members>
+void visit_all(const Visit& visit, std::string_view names, Members&... members) {
+  const auto one = [&](auto& member) {
+    const std::size_t end = names.find(',');
+    const std::string name(names.substr(0, end));
+    names.remove_prefix(end == names.npos ? names.size() : end + 2);
+    using Member = std::decay_t<decltype(member)>;
+    constexpr bool is_number = std::is_arithmetic_v<Member> || std::is_enum_v<Member>;
+    if constexpr (is_number && !std::is_same_v<Member, mpm::SceneKind>) visit(name, member);
+  };
+  (one(members), ...);
+}
+#define VISIT(object, ...)                       \
+  {                                              \
+    auto& [__VA_ARGS__] = object;                \
+    visit_all(visit, #__VA_ARGS__, __VA_ARGS__); \
+  }
+
 /// Calls visit(name, member) for every member of a scene that a row of the table must stand for. A new member
 /// does not compile here before it is named; and then it fails the test before it has a row.
 template <class Visit>
 void each_member(mpm::Scene& s, const Visit& visit) {
-  auto& [kind, material, impact_speed, block_width, block_height, cavity_radius, cavity_center_height,
-         inner_radius, outer_radius, inner_speed, end_time, space, numerics, measures] = s;
-  auto& [name, reference_density, youngs_modulus, poissons_ratio, yield_stress, hardening_modulus,
-         hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope, gruneisen_gamma,
-         specific_heat, initial_temperature, pressure_limit, tension, spall_strength] = material;
-  auto& [cell_size, particles_per_cell, scheme, transfer, symmetry, kernel, precision, pic_fraction, cfl,
-         linear_viscosity, quadratic_viscosity] = numerics;
-  auto& [area_every, detached_for, decides, stop, snapshots] = measures;
-  // kind and snapshots stand in a job's key by themselves; the name of a material is no part of what it is
-  static_cast<void>(kind), static_cast<void>(name), static_cast<void>(snapshots);
-#define MEMBER(m) visit(#m, m)
-  MEMBER(impact_speed), MEMBER(block_width), MEMBER(block_height), MEMBER(cavity_radius);
-  MEMBER(cavity_center_height), MEMBER(inner_radius), MEMBER(outer_radius), MEMBER(inner_speed);
-  MEMBER(end_time), MEMBER(space);
-  MEMBER(reference_density), MEMBER(youngs_modulus), MEMBER(poissons_ratio), MEMBER(yield_stress);
-  MEMBER(hardening_modulus), MEMBER(hardening_measure), MEMBER(kinematic_fraction);
-  MEMBER(bulk_sound_speed), MEMBER(hugoniot_slope), MEMBER(gruneisen_gamma), MEMBER(specific_heat);
-  MEMBER(initial_temperature), MEMBER(pressure_limit), MEMBER(tension), MEMBER(spall_strength);
-  MEMBER(cell_size), MEMBER(particles_per_cell), MEMBER(scheme), MEMBER(transfer), MEMBER(symmetry);
-  MEMBER(kernel), MEMBER(precision), MEMBER(pic_fraction), MEMBER(cfl), MEMBER(linear_viscosity);
-  MEMBER(quadratic_viscosity), MEMBER(area_every), MEMBER(detached_for), MEMBER(decides), MEMBER(stop);
-#undef MEMBER
+  VISIT(s, kind, material, impact_speed, block_width, block_height, cavity_radius, cavity_center_height,
+        inner_radius, outer_radius, inner_speed, end_time, space, numerics, measures)
+  VISIT(s.material, name, reference_density, youngs_modulus, poissons_ratio, yield_stress, hardening_modulus,
+        hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope, gruneisen_gamma,
+        specific_heat, initial_temperature, pressure_limit, tension, spall_strength)
+  VISIT(s.numerics, cell_size, particles_per_cell, scheme, transfer, symmetry, kernel, precision,
+        pic_fraction, cfl, linear_viscosity, quadratic_viscosity)
+  VISIT(s.measures, area_every, detached_for, decides, stop, snapshots)
 }
+#undef VISIT
 
 /// What all rows that are not made of others say.
 std::vector<double> said(const mpm::Scene& s) {
@@ -54,7 +65,7 @@ TEST(Parameters, EveryMemberOfASceneHasARow) {
   mpm::Scene scene = scenes::cavity(0.2e-6);
   const auto before = said(scene);
   std::size_t members = 0;
-  each_member(scene, [&](const char* name, auto& member) {
+  each_member(scene, [&](const std::string& name, auto& member) {
     const auto old = member;
     member = static_cast<std::decay_t<decltype(member)>>(static_cast<int>(old) + 1);
     EXPECT_NE(said(scene), before) << name << " stands in no row: neither keys nor the catalog know it";
@@ -87,6 +98,44 @@ TEST(Kinds, AreInTheOrderOfTheirEnumAndFindTheirNames) {
     EXPECT_EQ(mpm::to_string(kind.kind), kind.name);
     EXPECT_EQ(mpm::scene_kind_names()[i], kind.name);
   }
+}
+
+TEST(Kinds, AreEachWhole) {
+  for (const mpm::Kind* kind : mpm::kinds()) {
+    const mpm::ResultRow* headline = mpm::find_result(kind->headline);
+    ASSERT_TRUE(headline) << kind->name;
+    EXPECT_TRUE(headline->belongs_to(kind->kind) && headline->has_interval) << kind->name;
+    for (const auto function :
+         {kind->area != nullptr, kind->body != nullptr, kind->check != nullptr,
+          kind->coarsest_cell != nullptr, kind->extent != nullptr, kind->fastest != nullptr,
+          kind->floor != nullptr, kind->lattice != nullptr, kind->measurements != nullptr,
+          kind->parts != nullptr, kind->set_default_numerics != nullptr})
+      EXPECT_TRUE(function) << kind->name;
+  }
+}
+
+/// A new kind is one file and one line of the list: what is special about it is asked of its Kind. A scene is
+/// made of some kind elsewhere, and rows are asked whether they belong to it.
+TEST(Kinds, NothingElseAsksASceneForItsKind) {
+  namespace fs = std::filesystem;
+  const std::regex makes(R"((kind = |default_numerics\()(mpm::)?SceneKind::\w+)");
+  const std::regex asks(R"(SceneKind::\w|using enum [\w:]*SceneKind|switch \([^)]*kind\)|)"
+                        R"(to_string\([^)]*kind\) [=!]=|)"
+                        R"(\bhas_cavity\b)");
+  for (const char* folder : {"libmpm", "runner", "analysis"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SOURCE_DIR) / folder)) {
+      const std::string path = entry.path().string();
+      if (!(path.ends_with(".cpp") || path.ends_with(".hpp")) || path.find("/scene/kinds/") != path.npos)
+        continue;
+      std::ifstream file(path);
+      int number = 0;
+      for (std::string line; std::getline(file, line);) {
+        ++number;
+        EXPECT_FALSE(std::regex_search(std::regex_replace(line, makes, ""), asks))
+            << path << ":" << number << ": " << line
+            << "\nmake it a member of Kind (libmpm/scene/kinds/kind.hpp)";
+      }
+    }
 }
 
 // What is added last has no word, and would be told as nothing.

@@ -12,7 +12,9 @@ inline mpm::State random_state(const mpm::Scene& scene, double lift) {
     s.particles.position[p].y() += lift;
     s.particles.velocity[p] = 1000 * mpm::Vec2(random(), random());
     s.particles.pressure[p] = 5e9 * random();
-    s.particles.deviator[p] = mpm::deviator({1e8 * random(), 1e8 * random(), 1e8 * random(), 1e8 * random()});
+    const mpm::PlaneTensor t{1e8 * random(), 1e8 * random(), 1e8 * random(), 1e8 * random()};
+    const double mean = (t.xx + t.yy + t.zz) / 3;
+    s.particles.deviator[p] = {t.xx - mean, t.yy - mean, t.zz - mean, t.xy};
     s.particles.energy[p] = 1e5 * random();
   }
   return s;

@@ -36,4 +36,10 @@ double area(const Scene& s, const Lattice& l) { return l.width * s.block_height;
 
 double fastest(const Scene& s) { return s.impact_speed; }
 
+double shock_pressure(const Scene& s) {
+  const Material& m = s.material;
+  const double u = s.impact_speed;
+  return m.reference_density * (m.bulk_sound_speed + m.hugoniot_slope * u) * u;
+}
+
 }  // namespace mpm::with_block

@@ -6,13 +6,13 @@ namespace mpm::with_block {
 
 // clang-format off
 inline constexpr Quantity impact_speed{
-    "impact_speed", "m/s", "impact_speed_m_s", "speed of the block onto the rigid wall; of two bodies: of each, towards the other",
+    "impact_speed", "m/s", "u", "impact_speed_m_s", "speed of the block onto the rigid wall; of two bodies: of each, towards the other",
     Section::parameters, Range::positive, true, "", get<&Scene::impact_speed>, set<&Scene::impact_speed>};
 inline constexpr Quantity width{
-    "block_width", "m", "block_width_m", "full width of the block, between its mirrors",
+    "block_width", "m", "W", "block_width_m", "full width of the block, between its mirrors",
     Section::parameters, Range::positive, true, "", get<&Scene::block_width>, set<&Scene::block_width>};
 inline constexpr Quantity height{
-    "block_height", "m", "block_height_m", "height of the block; of two bodies: of each",
+    "block_height", "m", "H", "block_height_m", "height of the block; of two bodies: of each",
     Section::parameters, Range::positive, true, "", get<&Scene::block_height>, set<&Scene::block_height>};
 // clang-format on
 
@@ -23,5 +23,7 @@ Lattice lattice(const Scene&);
 Floor floor(const Scene&);
 double area(const Scene&, const Lattice&);
 double fastest(const Scene&);
+/// On the Hugoniot at impact_speed [Pa].
+double shock_pressure(const Scene&);
 
 }  // namespace mpm::with_block

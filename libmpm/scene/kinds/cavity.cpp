@@ -6,9 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "libmpm/measure/cavity.hpp"
-#include "libmpm/measure/ejection.hpp"
-
 namespace mpm::with_cavity {
 namespace {
 
@@ -67,6 +64,14 @@ double hole(const Scene& s, const Lattice& l) {
 
 double coarsest_cell(const Scene& s) {
   return std::min({s.cavity_radius / 4, s.block_width / 8, s.block_height / 8});
+}
+
+std::vector<Part> parts(const Scene& s) {
+  const double r = s.cavity_radius, y = s.cavity_center_height;
+  return {{"the wall above the cavity", "wall_thickness", s.block_height - y - r},
+          {"the wall below the cavity", "cavity_center_height", y - r},
+          {"the wall between the cavity and its mirror image", "block_width", s.block_width - 2 * r},
+          {"the cavity", "cavity_radius", 2 * r}};
 }
 
 Measurements measurements(const Scene& s, const State& state, bool open_below) {

@@ -17,20 +17,27 @@ Measurements measurements(const Scene& s, const State& state) {
 
 }  // namespace
 
-extern constinit const Kind cavity_impact{SceneKind::cavity_impact,
-                                          "cavity-impact",
-                                          with_cavity::rows,
-                                          with_cavity::choices,
-                                          "collapsibility",
-                                          with_cavity::set_default_numerics,
-                                          with_cavity::check,
-                                          with_block::extent,
-                                          with_block::lattice,
-                                          with_block::floor,
-                                          body,
-                                          area,
-                                          with_block::fastest,
-                                          with_cavity::coarsest_cell,
-                                          measurements};
+extern constinit const Kind cavity_impact{
+    .kind = SceneKind::cavity_impact,
+    .name = "cavity-impact",
+    .quantities = with_cavity::rows,
+    .choices = with_cavity::choices,
+    .results = with_cavity::measured,
+    .headline = "collapsibility",
+    .outcomes = with_cavity::outcomes,
+    .has_area_history = true,
+    .set_default_numerics = with_cavity::set_default_numerics,
+    .check = with_cavity::check,
+    .extent = with_block::extent,
+    .lattice = with_block::lattice,
+    .floor = with_block::floor,
+    .body = body,
+    .area = area,
+    .fastest = with_block::fastest,
+    .coarsest_cell = with_cavity::coarsest_cell,
+    .parts = with_cavity::parts,
+    .shock_pressure = with_block::shock_pressure,
+    .measurements = measurements,
+};
 
 }  // namespace mpm

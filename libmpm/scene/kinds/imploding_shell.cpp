@@ -12,11 +12,11 @@ namespace {
 
 // clang-format off
 constexpr Quantity rows[] = {
-    {"inner_radius", "m", "inner_radius_m", "inner radius of the shell",
+    {"inner_radius", "m", "a", "inner_radius_m", "inner radius of the shell",
      Section::parameters, Range::positive, true, "", get<&Scene::inner_radius>, set<&Scene::inner_radius>},
-    {"outer_radius", "m", "outer_radius_m", "outer radius of the shell",
+    {"outer_radius", "m", "b", "outer_radius_m", "outer radius of the shell",
      Section::parameters, Range::positive, true, "", get<&Scene::outer_radius>, set<&Scene::outer_radius>},
-    {"inner_speed", "m/s", "inner_speed_m_s", "speed, inwards, of the shell's inner surface: v(r) = -inner_speed inner_radius / r, of a sphere (inner_radius / r)^2",
+    {"inner_speed", "m/s", "u", "inner_speed_m_s", "speed, inwards, of the shell's inner surface: v(r) = -inner_speed inner_radius / r, of a sphere (inner_radius / r)^2",
      Section::parameters, Range::positive, true, "", get<&Scene::inner_speed>, set<&Scene::inner_speed>},
 };
 // clang-format on
@@ -80,6 +80,14 @@ double fastest(const Scene& s) { return s.inner_speed; }
 
 double coarsest_cell(const Scene& s) { return std::min(s.inner_radius, s.outer_radius - s.inner_radius) / 4; }
 
+std::vector<Part> parts(const Scene& s) {
+  return {{"the wall of the shell", "outer_radius", s.outer_radius - s.inner_radius},
+          {"the hole of the shell", "inner_radius", 2 * s.inner_radius}};
+}
+
+constexpr std::string_view outcomes[] = {"arrested"};
+constexpr Results measured[] = {Shell::results};
+
 Measurements measurements(const Scene& s, const State& state) {
   Measurements all;
   all.push_back(std::make_unique<Shell>(s, state));
@@ -88,20 +96,24 @@ Measurements measurements(const Scene& s, const State& state) {
 
 }  // namespace
 
-extern constinit const Kind imploding_shell{SceneKind::imploding_shell,
-                                            "imploding-shell",
-                                            rows,
-                                            {},
-                                            "stop_radius_m",
-                                            set_default_numerics,
-                                            check,
-                                            extent,
-                                            lattice,
-                                            floor,
-                                            body,
-                                            area,
-                                            fastest,
-                                            coarsest_cell,
-                                            measurements};
+extern constinit const Kind imploding_shell{
+    .kind = SceneKind::imploding_shell,
+    .name = "imploding-shell",
+    .quantities = rows,
+    .results = measured,
+    .headline = "stop_radius_m",
+    .outcomes = outcomes,
+    .set_default_numerics = set_default_numerics,
+    .check = check,
+    .extent = extent,
+    .lattice = lattice,
+    .floor = floor,
+    .body = body,
+    .area = area,
+    .fastest = fastest,
+    .coarsest_cell = coarsest_cell,
+    .parts = parts,
+    .measurements = measurements,
+};
 
 }  // namespace mpm

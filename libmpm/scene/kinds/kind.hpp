@@ -1,6 +1,7 @@
 #pragma once
-/// What a kind of scene is. One file of this folder says all of it, and list.cpp names it. A kind is added by
-/// its file, its enumerator in SceneKind and its line in list.cpp: see README.md.
+/// What a kind of scene is. One file of this folder says all of it, and list.hpp names it: a kind is added by
+/// its file and its line there. See README.md.
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -8,9 +9,11 @@
 
 #include "libmpm/body/fill.hpp"
 #include "libmpm/measure/measurement.hpp"
+#include "libmpm/measure/results.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "libmpm/scene/report.hpp"
+#include "libmpm/scene/resolution.hpp"
 #include "libmpm/scene/scene.hpp"
 
 namespace mpm {
@@ -32,15 +35,25 @@ struct Extent {
 
 using Measurements = std::vector<std::unique_ptr<Measurement>>;
 
-/// Functions of a scene of that kind. Lengths in m, speeds in m/s.
+/// The pressure of a scene that has no planar shock.
+inline double no_shock(const Scene&) { return 0; }
+/// The time of a scene whose bodies need not part.
+inline double never(const Scene&) { return std::numeric_limits<double>::infinity(); }
+
+/// Functions of a scene of that kind. Lengths in m, speeds in m/s. What has no default must be said.
 struct Kind {
   SceneKind kind;
   std::string_view name;  ///< in study files: "cavity-impact"
   /// Its rows of the table of parameters, beside those that every scene has. Kinds share a row by naming it.
   std::span<const Quantity> quantities;
-  std::span<const Choice> choices;
+  std::span<const Choice> choices = {};
+  /// Rows of the table of results: what `measurements` come to, one entry for each of them.
+  std::span<const Results> results = {};
   /// The result that an accuracy is asked of where a study does not say which.
   std::string_view headline;
+  /// What RunResult::outcome can say, beside "undecided". None: the kind decides nothing.
+  std::span<const std::string_view> outcomes = {};
+  bool has_area_history = false;  ///< whether its runs hand the area of a cavity to the observer
 
   void (*set_default_numerics)(Numerics&);
   /// Of numbers that are each in their range.
@@ -52,6 +65,11 @@ struct Kind {
   double (*area)(const Scene&, const Lattice&);  ///< of the modelled part of the body [m^2]
   double (*fastest)(const Scene&);               ///< speed of the fastest part of the body
   double (*coarsest_cell)(const Scene&);         ///< that still shows the body
+  std::vector<Part> (*parts)(const Scene&);      ///< walls and holes that a grid may be too coarse for
+  /// Of the planar shock that impact_speed makes, which has to be within the equation of state [Pa].
+  double (*shock_pressure)(const Scene&) = no_shock;
+  /// When real bodies, once they have met, would part again: those of the scene hold together [s].
+  double (*parting_time)(const Scene&) = never;
   /// Beside the balance, the health and the hot spots of a run.
   Measurements (*measurements)(const Scene&, const State&);
 };

@@ -5,12 +5,15 @@
 
 namespace mpm {
 
-extern const Kind cavity_impact, planar_impact, two_body_impact, imploding_shell;
+#define MPM_DECLARE(name) extern const Kind name;
+MPM_SCENE_KINDS(MPM_DECLARE)
+#undef MPM_DECLARE
 
 namespace {
-/// In the order of SceneKind.
-constexpr const Kind* list[] = {&cavity_impact, &planar_impact, &two_body_impact, &imploding_shell};
-static_assert(std::size(list) == enumerators<SceneKind>(), "each kind of scene has one line in the list");
+#define MPM_ADDRESS(name) &name,
+constexpr const Kind* list[] = {MPM_SCENE_KINDS(MPM_ADDRESS)};
+#undef MPM_ADDRESS
+static_assert(std::size(list) == enumerators<SceneKind>());
 }  // namespace
 
 std::span<const Kind* const> kinds() { return list; }

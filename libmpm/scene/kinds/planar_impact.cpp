@@ -24,6 +24,10 @@ Body body(const Scene& s, const Lattice& l) {
 
 double coarsest_cell(const Scene& s) { return std::min(s.block_width / 8, s.block_height / 64); }
 
+std::vector<Part> no_parts(const Scene&) { return {}; }
+
+constexpr Results measured[] = {PlanarShock::results};
+
 Measurements measurements(const Scene& s, const State& state) {
   Measurements all;
   all.push_back(std::make_unique<PlanarShock>(s, state));
@@ -32,20 +36,24 @@ Measurements measurements(const Scene& s, const State& state) {
 
 }  // namespace
 
-extern constinit const Kind planar_impact{SceneKind::planar_impact,
-                                          "planar-impact",
-                                          rows,
-                                          {},
-                                          "free_surface_speed_m_s",
-                                          set_default_numerics,
-                                          with_block::check,
-                                          with_block::extent,
-                                          with_block::lattice,
-                                          with_block::floor,
-                                          body,
-                                          with_block::area,
-                                          with_block::fastest,
-                                          coarsest_cell,
-                                          measurements};
+extern constinit const Kind planar_impact{
+    .kind = SceneKind::planar_impact,
+    .name = "planar-impact",
+    .quantities = rows,
+    .results = measured,
+    .headline = "free_surface_speed_m_s",
+    .set_default_numerics = set_default_numerics,
+    .check = with_block::check,
+    .extent = with_block::extent,
+    .lattice = with_block::lattice,
+    .floor = with_block::floor,
+    .body = body,
+    .area = with_block::area,
+    .fastest = with_block::fastest,
+    .coarsest_cell = coarsest_cell,
+    .parts = no_parts,
+    .shock_pressure = with_block::shock_pressure,
+    .measurements = measurements,
+};
 
 }  // namespace mpm

@@ -1,4 +1,5 @@
 // A block with a cavity meets one of the same size without, which comes towards it; they meet at y = 0.
+#include <algorithm>
 #include <cmath>
 
 #include "libmpm/scene/kinds/cavity.hpp"
@@ -38,26 +39,44 @@ Body body(const Scene& s, const Lattice& l) {
 
 double area(const Scene& s, const Lattice& l) { return with_block::area(s, l) * 2 - with_cavity::hole(s, l); }
 
+/// Once the shock has run to the free rear of each body and the release has come back.
+double parting_time(const Scene& s) {
+  const Material& m = s.material;
+  const double u = s.impact_speed, shock = m.bulk_sound_speed + m.hugoniot_slope * u;
+  const double shear = 4 * m.shear_modulus() / (3 * m.reference_density);
+  const double release =
+      std::sqrt(m.bulk_sound_speed * m.bulk_sound_speed + shear) + 2 * m.hugoniot_slope * u;
+  return s.block_height / shock + s.block_height * std::max(0.0, 1 - u / shock) / release;
+}
+
 Measurements measurements(const Scene& s, const State& state) {
   return with_cavity::measurements(s, state, true);
 }
 
 }  // namespace
 
-extern constinit const Kind two_body_impact{SceneKind::two_body_impact,
-                                            "two-body-impact",
-                                            with_cavity::rows,
-                                            with_cavity::choices,
-                                            "collapsibility",
-                                            with_cavity::set_default_numerics,
-                                            check,
-                                            extent,
-                                            lattice,
-                                            with_block::floor,
-                                            body,
-                                            area,
-                                            with_block::fastest,
-                                            with_cavity::coarsest_cell,
-                                            measurements};
+extern constinit const Kind two_body_impact{
+    .kind = SceneKind::two_body_impact,
+    .name = "two-body-impact",
+    .quantities = with_cavity::rows,
+    .choices = with_cavity::choices,
+    .results = with_cavity::measured,
+    .headline = "collapsibility",
+    .outcomes = with_cavity::outcomes,
+    .has_area_history = true,
+    .set_default_numerics = with_cavity::set_default_numerics,
+    .check = check,
+    .extent = extent,
+    .lattice = lattice,
+    .floor = with_block::floor,
+    .body = body,
+    .area = area,
+    .fastest = with_block::fastest,
+    .coarsest_cell = with_cavity::coarsest_cell,
+    .parts = with_cavity::parts,
+    .shock_pressure = with_block::shock_pressure,
+    .parting_time = parting_time,
+    .measurements = measurements,
+};
 
 }  // namespace mpm

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
+#include "libmpm/measure/results.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/writer.hpp"
 #include "tests/runner/fakes.hpp"
@@ -59,6 +61,17 @@ TEST_F(Views, jobs) {
                          "flags"};
   ASSERT_GT(names.size(), results.size());
   EXPECT_EQ(Names(names.end() - static_cast<long>(results.size()), names.end()), results);
+}
+
+TEST_F(Views, jobs_has_the_columns_of_the_table_of_results) {
+  const Names names = columns("jobs");
+  const std::set<std::string> all(names.begin(), names.end());
+  for (const mpm::ResultRow& row : mpm::results()) {
+    EXPECT_EQ(row.column, all.contains(std::string(row.name))) << row.name;
+    if (!row.error_column.empty()) {
+      EXPECT_TRUE(row.column && all.contains(std::string(row.error_column))) << row.name;
+    }
+  }
 }
 
 TEST_F(Views, others) {

@@ -1,9 +1,11 @@
 /// studies/README.md tells the truth: its table of parameters is the one of libmpm, and it names every key.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
+#include "libmpm/io/fields.hpp"
 #include "runner/study/schema.hpp"
 
 namespace mpmstudy {
@@ -64,6 +66,17 @@ TEST(StudiesReadme, ParameterTableIsTrue) {
   const std::string text = readme();
   EXPECT_NE(text.find(parameter_table()), std::string::npos) << "put this table into studies/README.md:\n"
                                                              << parameter_table();
+}
+
+/// The list of fields as it has to stand there, but for the ends of lines.
+TEST(StudiesReadme, FieldsAreThoseOfSnapshots) {
+  std::string fields = "Fields:";
+  for (const mpm::Field& field : mpm::fields())
+    fields += (fields.ends_with(":") ? " `" : ", `") + std::string(field.name) + "`";
+  fields += ".";
+  std::string text = readme();
+  std::ranges::replace(text, '\n', ' ');
+  EXPECT_NE(text.find(fields), std::string::npos) << "put this into studies/README.md:\n" << fields;
 }
 
 TEST(StudiesReadme, NamesEveryKeyAndTable) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runner/study/quantity_text.hpp"
+
 namespace mpmstudy {
 namespace {
 
@@ -54,6 +56,24 @@ TEST(Units, WrongOnesAreNamed) {
   EXPECT_THAT(wrong("lg(re m)", "m"), HasSubstr("not a unit of this"));  // no logarithms
   EXPECT_THAT(wrong("s @ 10", "s"), HasSubstr("not a unit"));
   EXPECT_THAT(wrong("m", "1"), HasSubstr("not a pure number"));
+}
+
+/// Where a number ends and its unit begins is decided once, also for units that begin with an e.
+TEST(Quantities, AWidthIsOfNoUnitWithAZeroPointOfItsOwn) {
+  const Units units;
+  const auto width = [&](const char* text, const char* unit) {
+    const Value value{Place{}, std::string(text)};
+    return read_quantity(value, {unit, mpm::Range::positive, true}, units);
+  };
+  EXPECT_EQ(std::get<double>(width("20 K", "K")), 20);
+  EXPECT_EQ(std::get<double>(width("2e1 K", "K")), 20);
+  EXPECT_EQ(std::get<double>(width("2 EK", "K")), 2e18);
+  EXPECT_EQ(std::get<double>(width("2EPa", "Pa")), 2e18);
+  EXPECT_EQ(std::get<double>(width("2 min", "s")), 120);
+  for (const char* text : {"20 degC", "2e1 degC", "20degF"})
+    EXPECT_THAT(std::get<Refusal>(width(text, "K")).wrong, HasSubstr("zero point")) << text;
+  const Value place{Place{}, std::string("20 degC")};
+  EXPECT_DOUBLE_EQ(std::get<double>(read_quantity(place, {"K", mpm::Range::positive}, units)), 293.15);
 }
 
 TEST(Units, SaysNothingOnItsOwn) {

@@ -1,0 +1,21 @@
+#include "runner/finish/labels.hpp"
+
+#include "libmpm/io/fields.hpp"
+#include "libmpm/measure/results.hpp"
+#include "libmpm/scene/parameters.hpp"
+
+namespace mpmstudy {
+
+analysis::Quantity label_of(std::string_view name, std::string_view unit_if_unknown) {
+  const auto of_row = [](const auto& row) {
+    return analysis::quantity_of(row.name, row.unit, row.symbol, row.title);
+  };
+  if (const mpm::Quantity* row = mpm::find_quantity(name)) return of_row(*row);
+  if (const mpm::ResultRow* row = mpm::find_result(name)) return of_row(*row);
+  if (const mpm::Field* row = mpm::find_field(name)) return of_row(*row);
+  if (name == "time") return {"Time", "t", "s"};
+  if (name == "area") return {"Cavity area", "A", "m^2"};
+  return analysis::quantity_of(name, unit_if_unknown);
+}
+
+}  // namespace mpmstudy
