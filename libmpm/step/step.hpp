@@ -10,6 +10,13 @@
 ///                heat of the transfer
 ///   5. stress    density, deviator, pressure, viscosity from the new velocity gradient
 ///
+///        particles                  nodes                       particles
+///   +---+---+---+---+        +---+---+---+---+             +---+---+---+---+
+///   | . . | . . |   |   1    |   m, m v, f   |    4        |. . | . .|   |   |
+///   | . . | . . |   |  --->  o---o---o---o---o   --->      |. . | . .|   |   |   5: stress of the new
+///   |   | . . | . . |        | 2 mirrors, 3 a = f/m |      |   |. . | . .|   |      velocity gradient
+///   +---+---+---+---+        +---+---+---+---+             +---+---+---+---+
+///
 /// Velocities and energies that particles carry belong to the middle between two stresses (leapfrog),
 /// positions, densities and stresses to whole steps. Energy is conserved to rounding by construction (see
 /// g2p.hpp).

@@ -21,6 +21,12 @@ inline double unit_mass(double rho0, const Grid& grid, Space space) {
 /// The particles in blocks of `width` lanes: all columns of a block side by side, so that a pass over the
 /// particles is one stream through memory.
 ///
+///   nodes of a row     o     o     o     o     o     o     o     o     o
+///   nearest to one       a b   c d   e f   g h   ...      particles of a group of four cells (width 4)
+///   block k            [ a     c     e     g   ]          lane l: the k-th particle of the l-th cell
+///   block k + 1        [ b     d     f     h   ]
+///   one block in memory: [node x4][position_x x4][position_y x4][velocity_x x4] ... one pack per column
+///
 /// After a sort most blocks are in step with the grid (transfer.hpp): the cells of a row, counted by the
 /// nearest node, are taken in groups of `width` neighbours, and the k-th block of a group holds the k-th
 /// particle of each of its cells, lane by lane. Lanes of cells that have no k-th particle are empty. Where
