@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "libmpm/measure/markers.hpp"
@@ -9,7 +10,7 @@
 namespace mpm {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// Twice the signed area of a closed polygon, and its first moments times six.
 struct Moments {

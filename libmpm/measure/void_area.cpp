@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "libmpm/shape/bspline2.hpp"
 
 namespace mpm {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double half_full = 0.5;
 /// A region along the wall that is farther than this beside the first circle is the gap under a body that
 /// leaves it. Two: the indicator smears an edge over that many.

@@ -12,14 +12,14 @@ namespace mpmstudy {
 namespace {
 
 /// What a ladder has of one quantity.
-struct Measured {
+struct OnCells {
   std::vector<analysis::LadderPoint> points;
   std::string unit;
   bool at_finest = false;  ///< the job itself has it, not only coarser cells
 };
 
 /// quantity -> what the cells under one job have of it.
-using Ladder = std::map<std::string, Measured>;
+using Ladder = std::map<std::string, OnCells>;
 
 std::optional<double> number(const SqlValue& value) {
   const auto* real = std::get_if<double>(&value);
@@ -37,7 +37,7 @@ std::map<std::string, Ladder> read_ladders(const Study& study, const std::filesy
     const auto cell = number(row[2]), value = number(row[4]);
     if (!cell || !value) continue;
     const std::string& key = std::get<std::string>(row[0]);
-    Measured& measured = ladders[key][std::get<std::string>(row[3])];
+    OnCells& measured = ladders[key][std::get<std::string>(row[3])];
     measured.points.push_back({*cell, *value, std::abs(number(row[6]).value_or(0))});
     measured.unit = std::get<std::string>(row[5]);
     measured.at_finest = measured.at_finest || std::get<std::string>(row[1]) == key;

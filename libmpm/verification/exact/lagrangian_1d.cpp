@@ -4,12 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "libmpm/verification/exact/powers.hpp"
+
 namespace mpm::verification::exact {
-namespace {
-
-double square(double x) { return x * x; }
-
-}  // namespace
 
 Lagrangian1d::Lagrangian1d(const ElasticPlasticSolid& solid, Geometry geometry, std::vector<double> positions,
                            std::vector<double> velocities, const Options& options)

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "libmpm/verification/exact/powers.hpp"
 #include "libmpm/verification/exact/root.hpp"
 
 namespace mpm::verification::exact {
@@ -20,9 +21,6 @@ void check(const ImplodingShell& shell) {
     throw std::invalid_argument(
         "imploding shell: density must be positive, yield stress and hardening not negative");
 }
-
-double square(double x) { return x * x; }
-double cube(double x) { return x * x * x; }
 
 /// x ln x, continued by its limit at 0. Here x = (r/a0)^2: F is the same in any unit of length, times a0^2.
 double x_log_x(double x) { return x > 0 ? x * std::log(x) : 0; }
