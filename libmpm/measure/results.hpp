@@ -36,6 +36,7 @@ struct ResultRow {
   /// What an accuracy is relative to: the absolute value, but no less than this.
   double least_scale = 0;
   Needs needs = Needs::nothing;
+  std::optional<Space> space = {};     ///< the only one that has it
   bool always = true;                  ///< false: some runs do not show it, as an event that did not happen
   bool metric = true;                  ///< whether it is one of RunResult::metrics, and in the view `metrics`
   bool column = false;                 ///< whether it is a column of the view `jobs`

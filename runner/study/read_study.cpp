@@ -213,6 +213,7 @@ class Reader {
                                  said_,
                                  study_.ladder.cells,
                                  may_decide_ejection(),
+                                 spaces(),
                                  !request_.snapshots.empty(),
                                  study_.search ? study_.search->critical : ""};
     study_.fits = read_fits(document_, context, problems_);
@@ -288,6 +289,17 @@ class Reader {
           return point.value == static_cast<double>(mpm::Decides::ejection);
         });
     return request_.seeks_ejection;
+  }
+
+  std::vector<mpm::Space> spaces() const {
+    for (const Axis& axis : request_.axes) {
+      if (axis.name() != "space") continue;
+      std::vector<mpm::Space> all;
+      for (const Point& point : axis.points)
+        all.push_back(static_cast<mpm::Space>(static_cast<int>(point.value)));
+      return all;
+    }
+    return {mpm::Space::plane_strain};
   }
 
   bool says(std::string_view name) const {

@@ -61,10 +61,14 @@ std::string read_word(const Entry& parent, const Table& table, std::string_view 
   return *text;
 }
 
+bool in_a_space_of(const mpm::ResultRow& row, const RequestContext& context) {
+  return !row.space || std::ranges::find(context.spaces, *row.space) != context.spaces.end();
+}
+
 /// Results that jobs of this study can have.
 bool can_have(const mpm::ResultRow& row, const RequestContext& context) {
   return (!context.kind || row.belongs_to(*context.kind)) &&
-         (row.needs != mpm::Needs::ejection || context.decides_ejection);
+         (row.needs != mpm::Needs::ejection || context.decides_ejection) && in_a_space_of(row, context);
 }
 
 /// Why a result of the table is none of this study's, and what is.
@@ -72,6 +76,11 @@ Refusal not_of_this_study(const mpm::ResultRow& row, const RequestContext& conte
                           const std::vector<std::string_view>& own) {
   if (context.kind && !row.belongs_to(*context.kind))
     return {std::string(mpm::to_string(*context.kind)) + " has no such result", "allowed: " + listed(own)};
+  if (!in_a_space_of(row, context)) {
+    const mpm::Choice& spaces = *mpm::find_choice("space");
+    const std::string needed(spaces.allowed[static_cast<std::size_t>(*row.space)]);
+    return {"no job of this study is " + needed, "write space = \"" + needed + "\", or take another result"};
+  }
   return {"no job of this study decides ejection",
           "write decides = \"ejection\" in [measure], or take another result"};
 }

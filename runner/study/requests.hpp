@@ -18,6 +18,7 @@ struct RequestContext {
   std::vector<std::string> said;       ///< quantities and choices that the file or --set has
   int cells = 1;                       ///< of the study's ladders
   bool decides_ejection = false;       ///< some jobs may
+  std::vector<mpm::Space> spaces = {mpm::Space::plane_strain};  ///< of its jobs
   bool has_snapshots = false;
   std::string critical;  ///< what its [search] looks for; "": it has none
 

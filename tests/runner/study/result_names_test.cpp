@@ -47,6 +47,23 @@ cell_size = "0.25 um"
 [measure]
 decides = "ejection"
 )"},
+      {"sphere", R"(schema = 1
+name = "sphere"
+scene = "cavity-impact"
+space = "axisymmetric"
+[parameters]
+material = "aluminium"
+impact_speed = "900 m/s"
+block_width = "10 um"
+block_height = "6 um"
+cavity_radius = "1.5 um"
+wall_thickness = "0.5 um"
+end_time = "2 ns"
+[numerics]
+cell_size = "0.25 um"
+[measure]
+decides = "ejection"
+)"},
       {"two bodies", R"(schema = 1
 name = "two-bodies"
 scene = "two-body-impact"
@@ -107,7 +124,7 @@ const std::map<std::string, Measured>& runs() {
 }
 
 bool can_show(const mpm::ResultRow& row, const mpm::Scene& scene) {
-  if (!row.belongs_to(scene.kind)) return false;
+  if (!row.belongs_to(scene.kind) || row.space.value_or(scene.space) != scene.space) return false;
   return row.needs == mpm::Needs::nothing || scene.measures.decides == mpm::Decides::ejection;
 }
 
@@ -190,7 +207,9 @@ std::string scenes_of(const mpm::ResultRow& row) {
   std::vector<std::string_view> names;
   for (const mpm::Kind* kind : mpm::kinds())
     if (row.belongs_to(kind->kind)) names.push_back(kind->name);
-  return names.size() == mpm::kinds().size() ? "all" : listed(names);
+  const std::string kinds = names.size() == mpm::kinds().size() ? "all" : listed(names);
+  if (!row.space) return kinds;
+  return kinds + "; " + std::string(mpm::find_choice("space")->allowed[static_cast<std::size_t>(*row.space)]);
 }
 
 /// The table as it has to stand on the catalog's page.
