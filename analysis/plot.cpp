@@ -52,7 +52,7 @@ void check(const Plot& plot) {
   if (!something) throw std::invalid_argument("figure '" + plot.title + "': there is nothing to draw");
 }
 
-/// x, y, error in the units of the axes, a row a point.
+/// x, y, error in the units of the axes, one row per point.
 std::string rows_of(const Plot& plot, const Series& s, const DisplayUnit& x, const DisplayUnit& y) {
   std::string rows;
   for (std::size_t i = 0; i < s.x.size(); ++i) {

@@ -9,7 +9,7 @@ namespace mpm {
 /// nodes around the wall become antisymmetric, tangential ones symmetric, each pair at the velocity of its
 /// common momentum. A column of nodes is in contact if that takes a push, sum of m_j dv_y over its rows > 0;
 /// otherwise the body leaves. The change is handed to the particles as acceleration: without it FLIP would
-/// let them keep the velocity of their approach for ever, and no one could tell whether they part. What the
+/// let them keep the velocity of their approach, and it would not show whether they part. What the
 /// contact takes from the motion,
 ///   - dv . (v - dt a / 2)   per mass, v and a those after the contact,
 /// is left as heat at the nodes (contact_heat), so that the sum of kinetic and internal energy is kept.

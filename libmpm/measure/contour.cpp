@@ -31,7 +31,7 @@ Moments moments(std::span<const Vec2> polygon) {
 }  // namespace
 
 Contour::Contour(Vec2 center, double radius, double cell_size, bool half) : half_(half) {
-  // An even number of steps a half turn, so that markers lie on the axis and at the height of the centre.
+  // An even number of steps per half turn, so that markers lie on the axis and at the height of the centre.
   const int steps = 2 * std::max(8, static_cast<int>(std::ceil(2 * pi * radius / cell_size)));
   const double turn = pi / steps;
   const double outer = radius * std::sqrt(turn / std::sin(turn));  // polygon of 2 steps corners, area pi R^2

@@ -11,7 +11,7 @@ namespace mpm {
 /// is their image.
 class Contour {
  public:
-  /// Four markers a cell along the circle. Their polygon has the circle's area exactly.
+  /// Four markers per cell along the circle. Their polygon has the circle's area exactly.
   Contour(Vec2 center, double radius, double cell_size, bool half);
 
   /// See move_markers.

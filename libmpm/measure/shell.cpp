@@ -41,7 +41,7 @@ std::span<const ResultRow> Shell::results() { return rows; }
 
 Shell::Shell(const Scene& s, const State&)
     : center_(lattice_of(s).center), times_{0}, radii_{s.inner_radius} {
-  // Four markers a cell, none on a mirror; those of a quarter are among those of the ring.
+  // Four markers per cell, none on a mirror; those of a quarter are among those of the ring.
   const bool quarter = s.numerics.symmetry == Symmetry::half;
   const double right_angle = std::numbers::pi / 2;
   const int steps =

@@ -21,7 +21,7 @@ Indicator indicator_of(const State&, int points_per_particle);
 /// The cavity as the empty region (phi < 1/2) that is connected to where it was before.
 ///
 /// Area: marching squares on phi, plus pi s^2 for a closed curve. phi is the material smeared by a kernel of
-/// variance s^2 an axis, which shifts a curve of curvature k by s^2 k/2 towards its centre; around a closed
+/// variance s^2 per axis, which shifts a curve of curvature k by s^2 k/2 towards its centre; around a closed
 /// curve that takes pi s^2 from the area whatever its form (Gauss-Bonnet). s^2 = h^2 (1/4 + 1/6 - 1/(12
 /// n^2)): B-spline, linear interpolation, and points (n a cell
 /// edge) that stand for squares. A particle that is alone in its cell is split into four points: one would

@@ -60,8 +60,8 @@ void check_choices(const Scene& s, Report& report) {
     report.add_choice("precision", "double when kernel is \"reference\"");
 }
 
-/// More than a machine holds, or than anyone waits for, is a slip of the unit. In floating point, before any
-/// count of cells becomes an integer.
+/// More particles than a machine holds most likely come from a wrong unit. In floating point, before any count
+/// of cells becomes an integer.
 void check_size(const Scene& s, Report& report) {
   constexpr double most_particles = 1e9;
   const auto [width, height] = kind_of(s).extent(s);

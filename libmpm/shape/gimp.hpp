@@ -16,7 +16,7 @@ namespace mpm {
 /// is treated as one cell wide.
 struct Gimp {
   static constexpr int reach = 2;
-  static constexpr double largest_half_size = 0.5;  ///< cells; three nodes an axis reach no further
+  static constexpr double largest_half_size = 0.5;  ///< cells; three nodes per axis reach no further
 
   static Weights evaluate(double xi, double half) {
     half = std::min(half, largest_half_size);

@@ -1,6 +1,6 @@
 #pragma once
 /// What a shape function must offer. All of ours are products of one-dimensional functions that reach three
-/// nodes an axis.
+/// nodes per axis.
 #include <array>
 #include <concepts>
 

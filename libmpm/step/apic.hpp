@@ -12,7 +12,7 @@ namespace mpm {
 ///   v_p = sum w_ip v_i,   B_p = sum w_ip v_i (x) r_i,   D_p = sum w_ip r_i (x) r_i,   C_p = B_p D_p^-1.
 /// Of all transfers to one velocity and one gradient this loses least: C_p is the least-squares fit. Angular
 /// momentum, sum m_p (x_p x v_p + spin of C_p), is kept to rounding. Kinetic energy of the affine motion is
-/// tr(C_p D_p C_p^T)/2 a mass; what neither velocity nor gradient takes is left as heat,
+/// tr(C_p D_p C_p^T)/2 per mass; what neither velocity nor gradient takes is left as heat,
 ///   sum w_ip |v_p + C_p r_i - u_i|^2 / 2  on the way to the grid, with the old C_p,
 ///   sum w_ip |v_i - v_p - C_p r_i|^2 / 2  on the way back, with the new one,
 /// both never negative, and their sum closes the balance of energy to rounding. Where D_p changes between two

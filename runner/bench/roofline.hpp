@@ -14,10 +14,10 @@ Roofline measure_roofline(int repetitions, double seconds);
 
 /// Work and traffic of the fast step, for the two numbers above.
 struct KernelWork {
-  double operations = 0;  ///< floating-point operations a particle update
+  double operations = 0;  ///< floating-point operations per particle update
   double bytes = 0;       ///< that a particle update moves between core and memory
 };
-/// Particle updates a second that the roofline allows.
+/// Particle updates per second that the roofline allows.
 double roofline_rate(const Roofline&, const KernelWork&, bool single_precision);
 
 }  // namespace mpmstudy

@@ -1,5 +1,5 @@
 #pragma once
-/// `mpmstudy bench kernel`: particle updates a second of the time step on this machine.
+/// `mpmstudy bench kernel`: particle updates per second of the time step on this machine.
 #include "runner/bench/kernel_bench.hpp"
 #include "runner/cli/cli.hpp"
 

@@ -103,7 +103,7 @@ void setup_bench_accuracy(CLI::App& bench) {
       ->check(CLI::Range(1u, 1024u))
       ->capture_default_str();
   CLI::Option* json = verb.add_flag("--json", options->json, "One object a row");
-  verb.add_flag("--csv", options->csv, "A header and a line a row")->excludes(json);
+  verb.add_flag("--csv", options->csv, "A header and a line per row")->excludes(json);
   verb.add_option("--figures", options->figures, "Folder to draw the fronts into");
   verb.callback([options] { finish(run_bench_accuracy(*options)); });
 }

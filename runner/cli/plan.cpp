@@ -58,7 +58,7 @@ std::string source_of(const CostModel& cost) {
   return cost.learnt_from() > 0
              ? fmt::format("learnt from {} on this host",
                            counted(static_cast<std::int64_t>(cost.learnt_from()), "job"))
-             : fmt::format("assumed: {:.3g} particle updates a second and core", assumed_updates_per_second);
+             : fmt::format("assumed: {:.3g} particle updates per second and core", assumed_updates_per_second);
 }
 
 double longest_job(const std::vector<Job>& jobs) {
@@ -93,7 +93,7 @@ std::string default_in_force(const Row& row, const Plan& plan) {
   return std::string(row.name) + " " + (same ? readable(row, first) : "varies");
 }
 
-/// Every parameter that the file leaves to the scene or to its material, a line a table.
+/// Every parameter that the file leaves to the scene or to its material, a line per table.
 void print_defaults(const Study& study, const Plan& plan) {
   const std::pair<mpm::Section, std::string> sections[] = {
       {mpm::Section::top, "top of the file"},
@@ -115,7 +115,7 @@ void print_defaults(const Study& study, const Plan& plan) {
   }
 }
 
-/// One line a rung over all ladders: how many jobs, how large, what they cost.
+/// One line per rung, over all ladders: how many jobs, how large, what they cost.
 void print_ladder(const Plan& plan) {
   if (plan.ladders.empty()) return;
   if (plan.ladder.accuracy)

@@ -247,14 +247,14 @@ std::vector<mpm::Scene> possible_scenes(const Study& study,
   const SearchRequest& request = *study.search;
   Lattice lattice(request.lower, request.upper, request.tolerance);
   lattice.intervals *= 2;  // half steps: where runs failed
-  const mpm::Quantity* critical = mpm::find_quantity(request.critical);
+  const Searched critical(study);
   std::vector<mpm::Scene> scenes;
   const auto add = [&](const mpm::Scene& scene) {
     if (wanted(job_key(scene))) scenes.push_back(scene);
   };
   for (mpm::Scene scene : study.scenes)
     for (int i = 0; i <= lattice.intervals; ++i) {
-      critical->set(scene, lattice.value(i));
+      critical.set(scene, lattice.value(i));
       add(scene);
       if (scene.measures.stop != mpm::Stop::decided) continue;
       mpm::Scene whole = scene;  // as an audit runs it

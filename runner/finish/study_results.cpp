@@ -18,6 +18,7 @@
 #include "runner/status/label.hpp"
 #include "runner/study/critical_names.hpp"
 #include "runner/study/decimal.hpp"
+#include "runner/study/searched.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -73,7 +74,7 @@ SweptValues swept_values(const std::string& name, const std::vector<JobResults>&
 }
 
 /// The key of the run at an end of a bracket; "" if there is no end.
-std::string key_at(mpm::Scene scene, const mpm::Quantity& critical, std::optional<double> end) {
+std::string key_at(mpm::Scene scene, const Searched& critical, std::optional<double> end) {
   if (!end) return "";
   critical.set(scene, *end);
   return job_key(scene);
@@ -91,7 +92,8 @@ StudyResults read_brackets(const Study& study, const std::filesystem::path& fold
   std::set<std::string> points;  // a value that the sweep has twice is searched once
   for (const mpm::Scene& scene : study.scenes) points.insert(job_key(scene));
   results.missing = points.size();
-  results.critical = mpm::find_quantity(study.search->critical);
+  const Searched critical(study);
+  results.critical = &critical.quantity();
   std::string drawn;
   const SqlValue parameters[] = {study.name, study.search->critical};
   const Rows rows =
@@ -106,8 +108,7 @@ StudyResults read_brackets(const Study& study, const std::filesystem::path& fold
     if (position >= study.scenes.size()) continue;
     const mpm::Scene& scene = study.scenes[position];
     const auto lower = number(row[1]), upper = number(row[2]);
-    if (key_at(scene, *results.critical, lower) != text(row[3]) ||
-        key_at(scene, *results.critical, upper) != text(row[4]))
+    if (key_at(scene, critical, lower) != text(row[3]) || key_at(scene, critical, upper) != text(row[4]))
       continue;
     --results.missing;
     drawn +=

@@ -9,7 +9,7 @@
 namespace mpmstudy {
 
 namespace {
-/// A measuring error that one more cell leaves above this share of itself is not made small by cells.
+/// If a finer cell leaves more than this share of a measuring error, still finer cells will not make it small.
 constexpr double falls_with_the_cell = 0.9;
 }  // namespace
 

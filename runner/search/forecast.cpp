@@ -20,8 +20,8 @@ using Rounds = std::vector<std::vector<mpm::Scene>>;
 /// against what is known of the point itself.
 class MadeUpValues {
  public:
-  MadeUpValues(const SearchRequest& request, double place)
-      : critical_(*mpm::find_quantity(request.critical)), lower_(request.lower) {
+  MadeUpValues(const Study& study, double place) : critical_(study), lower_(study.search->lower) {
+    const SearchRequest& request = *study.search;
     const double width = request.upper - request.lower;
     middle_ = request.lower + place * width;
     step_ = width / search_steps(request.lower, request.upper, request.tolerance);
@@ -30,7 +30,7 @@ class MadeUpValues {
   void learn(const mpm::Scene& scene, Verdict verdict) {
     if (verdict == Verdict::broken) return;
     auto& [below, above] = known_[point_of(scene)][scene.numerics.cell_size];
-    const double value = critical_.get(scene);
+    const double value = critical_.quantity().get(scene);
     if (verdict == Verdict::above)
       above = std::min(above, value);
     else
@@ -39,7 +39,7 @@ class MadeUpValues {
 
   Verdict verdict_of(const mpm::Scene& scene) {
     const std::string point = point_of(scene);
-    const double value = critical_.get(scene);
+    const double value = critical_.quantity().get(scene);
     const auto& [below, above] = known_[point][scene.numerics.cell_size];
     if (value <= below) return Verdict::below;
     if (value >= above) return Verdict::above;
@@ -84,14 +84,14 @@ class MadeUpValues {
     return job_key(scene);
   }
 
-  const mpm::Quantity& critical_;
+  const Searched critical_;
   double lower_ = 0, middle_ = 0, step_ = 0;
   std::map<std::string, Cells> known_;
 };
 
 /// The search with critical values about one place; the scenes that are not known yet, round by round.
 Rounds play(const Study& study, const KnownVerdict& known, double place) {
-  MadeUpValues values(*study.search, place);
+  MadeUpValues values(study, place);
   Rounds rounds;
   Search search(study);
   for (auto scenes = search.next_round(); !scenes.empty(); scenes = search.next_round()) {

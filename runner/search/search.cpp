@@ -40,7 +40,7 @@ std::vector<double> family_of(const Study& study, const mpm::Scene& scene, const
 }  // namespace
 
 Search::Search(const Study& study)
-    : critical_(mpm::find_quantity(study.search->critical)),
+    : critical_(study),
       lattice_(study.search->lower, study.search->upper, study.search->tolerance),
       half_(lattice_) {
   half_.intervals *= 2;
@@ -60,7 +60,7 @@ Search::Search(const Study& study)
 
 mpm::Scene Search::scene_at(const Entry& entry, int half_steps) const {
   mpm::Scene scene = entry.point.scene;
-  critical_->set(scene, half_.value(half_steps));
+  critical_.set(scene, half_.value(half_steps));
   return scene;
 }
 
@@ -73,7 +73,7 @@ std::optional<Bracket> Search::Entry::bracket() const {
 
 std::vector<int> Search::Entry::next(int most) const {
   if (!search) return {};
-  if (between) return between->next(1);  // few are left, and two at once would often be one too many
+  if (between) return between->next(1);  // few steps are left: of two runs at once one would often be wasted
   auto indices = search->next(most);
   for (int& index : indices) index *= 2;
   return indices;
@@ -196,8 +196,8 @@ std::vector<FoundBracket> Search::brackets() const {
   for (const Entry& e : entries_) {
     FoundBracket found{e.point, {}, {}, {}, {}, "not searched", static_cast<int>(e.runs.size())};
     if (e.search) {
-      found.flags =
-          e.between ? e.between->flags(half_, critical_->unit) : e.search->flags(lattice_, critical_->unit);
+      found.flags = e.between ? e.between->flags(half_, critical_.quantity().unit)
+                              : e.search->flags(lattice_, critical_.quantity().unit);
       if (const auto bracket = e.bracket()) {
         for (const auto& [index, key] : e.runs) {
           if (index == bracket->lower) found.lower_key = key;

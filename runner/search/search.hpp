@@ -10,6 +10,7 @@
 
 #include "libmpm/scene/parameters.hpp"
 #include "runner/search/bracket.hpp"
+#include "runner/study/searched.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
@@ -66,7 +67,7 @@ class Search {
   std::optional<Guess> guess(const Entry&) const;
   std::optional<double> found_at(std::size_t family, double along, double cell) const;
 
-  const mpm::Quantity* critical_;
+  Searched critical_;
   Lattice lattice_, half_;      ///< steps, and half steps
   std::vector<Entry> entries_;  ///< coarse cells first, in the order of the study
 };

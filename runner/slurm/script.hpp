@@ -20,7 +20,7 @@ struct SlurmScripts {
   std::vector<std::string> options;  ///< of sbatch, for both scripts: "--partition=long"
 };
 
-/// One element a shard. It works on a local disk; what is whole is moved to the share. Slurm may run an
+/// One element per shard. It works on a local disk; what is whole is moved to the share. Slurm may run an
 /// element twice or again: the second one finds the shard there, or is dropped when it comes too late.
 std::string array_script(const SlurmScripts&);
 

@@ -198,7 +198,7 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
   search.place = entry->value.place.text();
 }
 
-/// A tolerance far below the bracket is a slip of the unit.
+/// A tolerance far below the bracket is most likely a wrong unit.
 void check_steps(const Table& table, const mpm::Quantity& row, const SearchRequest& search,
                  Problems& problems) {
   if (!(search.tolerance > 0) || !(search.upper > search.lower)) return;

@@ -10,7 +10,7 @@
 
 namespace mpmstudy {
 
-/// One line a value: "collapsibility=0.25".
+/// One line per value: "collapsibility=0.25".
 inline std::string rows_of(const std::filesystem::path& results) {
   static const std::set<std::string> left_out = {
       "wall_s",  "cpu_s",   "started_at", "finished_at", "predicted_s", "particle_updates_per_s",

@@ -92,8 +92,8 @@ Band<Real> FastStepper<Real>::band(const typename Blocks<Real>::Range& range) {
           std::min(range.last_row + band_reach, grid_->nodes().rows - 3)};
 }
 
-/// Bands of the same parity touch different nodes, so that they are anybody's; the odd ones follow the even
-/// ones.
+/// Bands of the same parity touch different nodes, so that any thread may take any of them; the odd ones follow
+/// the even ones.
 template <class Real>
 SweepReport FastStepper<Real>::sweep(double dt) {
   const auto bands = blocks_->bands();

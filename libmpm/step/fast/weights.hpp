@@ -12,7 +12,7 @@ struct HoopWeights<Real, true> {
   Pack<Real> hoop[3];
 };
 
-/// Weights and slopes of a pack on the three nodes an axis of each of its particles.
+/// Weights and slopes of a pack on the three nodes per axis of each of its particles.
 template <class Real, bool has_hoop = false>
 struct PackWeights : HoopWeights<Real, has_hoop> {
   Pack<Real> x[3], slope_x[3], y[3], slope_y[3];

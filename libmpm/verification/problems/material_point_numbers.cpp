@@ -111,7 +111,7 @@ ExactNumbers uniaxial_path_numbers(const ExactOptions&) {
   exact.strain_to(0.18);
   MaterialPoint ours(aluminium);
   ours.strain_to(0.18, 4000);
-  constexpr double tolerance = 1e-7;  // of 4000 steps a leg
+  constexpr double tolerance = 1e-7;  // of 4000 steps per leg
   ExactNumbers numbers = {
       {"normal stress at strain 0.18", "Pa", exact.normal_stress(), ours.normal_stress(), tolerance},
       {"von Mises stress at strain 0.18", "Pa", exact.von_mises(), ours.von_mises(), tolerance}};

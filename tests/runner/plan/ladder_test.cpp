@@ -1,4 +1,4 @@
-// What a study with several cells a job wants: cells, keys, and what runs in any case.
+// What a study with several cells per job wants: cells, keys, and what runs in any case.
 #include <gmock/gmock.h>
 
 #include <cmath>

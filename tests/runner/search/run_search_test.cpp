@@ -322,6 +322,24 @@ TEST_F(SearchStudy, WhatIsComputedIsFoundAsItWouldBeWritten) {
     EXPECT_EQ(job_key(stored.job.scene), stored.job.key);
 }
 
+// The file gives the wall, so the centre moves with the radius that is searched.
+TEST_F(SearchStudy, AWallThatTheFileGivesStaysWhateverIsSearched) {
+  study_text = with(with(text, "cavity_radius", "impact_speed = \"500 m/s\""), "wall_thickness",
+                    "wall_thickness = \"1 um\"");
+  study_text = with(with(study_text, "critical", "critical = \"cavity_radius\""), "between",
+                    "between = [\"1 um\", \"2 um\"]");
+  study_text = with(with(study_text, "tolerance", "tolerance = \"0.1 um\""), "cell_size",
+                    "cell_size = [\"0.4 um\", \"0.2 um\"]");
+  outcome = [](const mpm::Scene& s) { return s.cavity_radius > 1.25e-6 ? "ejected" : "arrested"; };
+  EXPECT_EQ(search(folder.path(), 2).exit_code(), 0);
+  const auto rows =
+      query(folder.path(), "SELECT DISTINCT wall_thickness_m, count(DISTINCT cavity_radius_m) > 2 FROM jobs");
+  ASSERT_EQ(rows.rows.size(), 1u);
+  EXPECT_EQ(rows.rows[0][0], SqlValue(1e-6));
+  EXPECT_EQ(rows.rows[0][1], SqlValue(std::int64_t{1}));
+  EXPECT_EQ(read_results(read_text(study_text), folder.path()).done.size(), 2u);
+}
+
 TEST_F(SearchStudy, AHeightThatIsMadeOfAWallIsFoundAsItWouldBeWritten) {
   study_text = with(with(text, "cavity_radius", "cavity_radius = \"1 um\""), "block_height",
                     "block_height = \"6 um\"");
