@@ -15,9 +15,9 @@ namespace mpm {
 /// planar shock does: 2 u against the moving body (doubling: within 3 % of the exact release up to 1500 m/s),
 /// u against the wall. `arrested`: nothing is ejected, and for `detached_for` the fastest twentieth of the
 /// wall's mass near the axis (|x| < R) has risen slower than that; counted from H/c0 + R/u on, when shock and
-/// jet have arrived. Of a part that has come off, the mean speed counts: its particles can only exchange momentum among themselves;
-/// fragments that are too small to be ejected do not count. Since tension only slows what rises, such a wall
-/// does not come off later; `mpmstudy run
+/// jet have arrived. Of a part that has come off, the mean speed counts: its particles can only exchange
+/// momentum among themselves; fragments that are too small to be ejected do not count. Since tension only
+/// slows what rises, such a wall does not come off later; `mpmstudy run
 /// --audit` asks. `undecided`: neither by the end of the run. With Measures::stop = decided, the first
 /// verdict ends it. Separation in MPM is numerical, by about a cell: verdicts depend on the cell.
 ///
