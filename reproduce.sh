@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # From a clean clone to every figure of the paper and its claims, judged: installs what is missing, builds, runs all
 # studies, writes results/report.html. Running it again goes on where it was.
-# Ends with 0 if every study is whole and its figures are drawn, 1 if jobs failed or points of a search were not
-# found, 75 if work is left.
+# Ends with 0 once every study is run and the page is written, also if single jobs failed (coarse cells lose some of
+# the fastest shots of a search): the page, the tables above it and `mpmstudy status` show those. 75 if work is left.
 #   ./reproduce.sh           coarse cells (0.14 um; Figs. 1 and 4 0.2 um)
 #   ./reproduce.sh --full    fine cells (0.05 um; Figs. 1 and 4 0.07 um)
 # Other options go to `mpmstudy run`: -j N (jobs at a time), --results DIR.

@@ -97,6 +97,8 @@ int check_output(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Warnings and results that go to one file stand there in the order in which they were printed.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   CLI::App app("Parameter studies of shock problems by the material point method", "mpmstudy");
   app.set_version_flag(
       "--version", fmt::format("mpmstudy {}, physics version {}", MPMSTUDY_VERSION, mpm::physics_version));
