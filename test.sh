@@ -17,4 +17,5 @@ fi
 install_missing build test slurm
 build "$preset" -DMPM_TESTS=ON
 say "testing"
-exec ctest --preset "$preset" -j "$(nproc)" "$@"
+# One more than there are processors: tests of a cluster and of time-outs mostly wait.
+exec ctest --preset "$preset" -j "$(($(nproc) + 1))" "$@"

@@ -15,6 +15,12 @@ using testing::IsEmpty;
 
 TEST(Scale, WeakCollapse) { EXPECT_THAT(differing_when_scaled(scenes::cavity(0.2e-6), 1024), IsEmpty()); }
 
+TEST(Scale, SphericalCollapse) {
+  mpm::Scene s = scenes::cavity(0.2e-6);
+  s.space = mpm::Space::axisymmetric;
+  EXPECT_THAT(differing_when_scaled(s, 1024), IsEmpty());
+}
+
 TEST(Scale, StrongCollapse) {
   mpm::Scene s = scenes::cavity(0.2e-6);
   s.impact_speed = 1120;

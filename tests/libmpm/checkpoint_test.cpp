@@ -105,6 +105,15 @@ TEST_F(Checkpoint, of_a_cavity) {
   EXPECT_EQ(checked, 2) << "fast and reference";
 }
 
+TEST_F(Checkpoint, of_a_sphere) {
+  mpm::Scene s = collapse();
+  s.space = mpm::Space::axisymmetric;
+  expect_same_bits(s);
+  s.numerics.scheme = mpm::ShapeFunction::gimp;
+  expect_same_bits(s);
+  EXPECT_EQ(checked, 4) << "fast and reference";
+}
+
 TEST_F(Checkpoint, of_a_cavity_in_full_width) {
   mpm::Scene s = collapse();
   s.numerics.symmetry = mpm::Symmetry::full;

@@ -323,11 +323,15 @@ void expect_same_bits(const mpm::RunResult& a, const mpm::RunResult& b) {
 }
 
 TEST(FastRun, BitsDoNotDependOnThreads) {
-  for (const auto precision : {mpm::Precision::double_precision, mpm::Precision::single_precision}) {
+  for (const auto& [space, precision] :
+       {std::pair{mpm::Space::plane_strain, mpm::Precision::double_precision},
+        std::pair{mpm::Space::plane_strain, mpm::Precision::single_precision},
+        std::pair{mpm::Space::axisymmetric, mpm::Precision::single_precision}}) {
     mpm::Scene s = scenes::cavity(0.04e-6);
     s.impact_speed = 1120;
     s.end_time = 0.1e-9;
     s.measures.area_every = 0.02e-9;
+    s.space = space;
     s.numerics.precision = precision;
     const mpm::RunResult one = mpm::run(s);
     // where the processor has other work, helpers may come too late for all there is to do

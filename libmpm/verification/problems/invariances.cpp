@@ -104,7 +104,10 @@ std::vector<std::string> differing_when_scaled(const mpm::Scene& scene, double k
   }
   for (std::size_t i = 0; i < small.metrics.size(); ++i) {
     const mpm::Metric& m = small.metrics[i];
-    const double factor = m.unit == "m" || m.unit == "s" ? k : m.unit == "m2" || m.unit == "kg/m" ? k * k : 1;
+    const double factor = m.unit == "m" || m.unit == "s"       ? k
+                          : m.unit == "m2" || m.unit == "kg/m" ? k * k
+                          : m.unit == "m3" || m.unit == "kg"   ? k * k * k
+                                                               : 1;
     compare(m.name, large.metrics[i].value, factor * m.value);
   }
   return differing;
