@@ -98,6 +98,25 @@ class Readme : public Program {
       "tolerance='100 m/s'";
 };
 
+// studies/examples: each runs, coarser here, and leaves a picture for every figure that it asks for.
+TEST_F(Readme, ExamplesRunAndAreDrawn) {
+  std::size_t examples = 0;
+  for (const auto& file : fs::directory_iterator(SOURCE_DIR "/studies/examples")) {
+    const std::string name = file.path().stem().string();
+    ASSERT_EQ(shell("mpmstudy run '" + file.path().string() + "' --cells 1.6"), 0) << name << "\n" << output;
+    ++examples;
+    EXPECT_EQ(output.find("not drawn"), std::string::npos) << output;
+    EXPECT_FALSE(fs::is_empty(folder.path() / "results" / "figures" / name));
+  }
+  EXPECT_GE(examples, 3u);
+  EXPECT_EQ(number("SELECT count(*) FROM jobs WHERE status <> 'done'"), 0);
+  // A sphere closes sooner than a cylinder.
+  EXPECT_GT(number("SELECT CAST(100 * min(collapsibility) AS INTEGER) FROM jobs WHERE study = 'sphere' AND "
+                   "space = 'axisymmetric'"),
+            number("SELECT CAST(100 * min(collapsibility) AS INTEGER) FROM jobs WHERE study = 'sphere' AND "
+                   "space = 'plane-strain'"));
+}
+
 TEST_F(Readme, EveryCommandEndsWellAndDoesWhatItsCommentSays) {
   reproduce();
   const std::size_t before = pictures();
