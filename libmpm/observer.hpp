@@ -28,9 +28,10 @@ struct Snapshot {
   std::int64_t step = 0;
   std::vector<double> x, y;                    ///< [m]
   std::vector<double> velocity_x, velocity_y;  ///< [m/s]
-  std::vector<double> mass;                    ///< per depth [kg/m]
-  std::vector<double> density;                 ///< [kg/m^3]
-  std::vector<double> pressure;                ///< compression positive, without artificial viscosity [Pa]
+  std::vector<double> mass;      ///< density times area in the plane: per depth, in axisymmetry per
+                                 ///< length of the hoop [kg/m]
+  std::vector<double> density;   ///< [kg/m^3]
+  std::vector<double> pressure;  ///< compression positive, without artificial viscosity [Pa]
   std::vector<double> stress_xx, stress_yy, stress_xy, stress_zz;  ///< Cauchy, tension positive [Pa]
   std::vector<double> von_mises;                                   ///< [Pa]
   std::vector<double> equivalent_plastic_strain;                   ///< [1]

@@ -34,7 +34,7 @@ constexpr Field table[] = {
     {"temperature", "K", "T", "", "Temperature", &Snapshot::temperature,
      OF { return temperature(s.particles.dilation[p], s.particles.energy[p]); }},
     {"mass", "kg/m", "", "", "Mass", &Snapshot::mass,
-     OF { return s.particles.mass[p]; }},
+     OF { return s.space == Space::axisymmetric ? s.particles.density(p) * area(s, p) : s.particles.mass[p]; }},
 };
 // clang-format on
 #undef OF

@@ -132,6 +132,23 @@ TEST(Axisymmetric, ASphereHasItsVolumeByContourAndByVoid) {
   EXPECT_NEAR(hole.volume() / exact, 1, 2e-3);
 }
 
+// The size of a particle in a picture is sqrt(mass / density): of the section, at any radius.
+TEST(Axisymmetric, SnapshotsHaveTheMassOfTheSection) {
+  struct Keep : mpm::Observer {
+    mpm::Snapshot last;
+    void on_snapshot(const mpm::Snapshot& s) override { last = s; }
+  } keep;
+  mpm::Scene s = axisymmetric(scenes::cavity(0.2e-6));
+  s.end_time = 0.05e-9;
+  s.measures.snapshots = {0};
+  ASSERT_EQ(mpm::run(s, keep).status, mpm::RunStatus::done);
+  double area = 0;
+  for (std::size_t p = 0; p < keep.last.mass.size(); ++p) area += keep.last.mass[p] / keep.last.density[p];
+  const double exact =
+      s.block_width / 2 * s.block_height - std::numbers::pi / 2 * s.cavity_radius * s.cavity_radius;
+  EXPECT_NEAR(area / exact, 1, 1e-3);
+}
+
 // The motion along the axis does not know of the radius: the shock of plane strain, to rounding.
 TEST(Axisymmetric, APlanarShockIsThatOfPlaneStrain) {
   for (const auto scheme : {mpm::ShapeFunction::gimp, mpm::ShapeFunction::bspline2}) {
