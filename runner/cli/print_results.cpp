@@ -269,6 +269,11 @@ std::string results_text(const Study& study, const std::filesystem::path& result
   if (table.find(mark) != std::string::npos ||
       std::ranges::any_of(of_interest, [](const auto& one) { return is_of_the_final_area(one.name); }))
     text += flags_text(study, results);
+  if (study.ladder.cells == 1 && table.find("+-") != std::string::npos)
+    text +=
+        "  +- is the measuring error on these cells only; [numerics] ladder = 3 adds how far cells of other "
+        "sizes "
+        "are from it\n";
   return text + failures_text(study, results) + fits_text(study, results);
 }
 

@@ -71,6 +71,7 @@ TEST_F(ResultsText, a_row_has_what_is_swept_the_result_its_interval_and_the_outc
   write("{ values = [1000, 1500, 2000], unit = \"nm\" }", fit);
   for (const char* when : {"the first time", "with nothing to do"}) {
     EXPECT_EQ(run(), 0) << when;
+    EXPECT_THAT(table(), HasSubstr("+- is the measuring error on these cells only")) << when;
     EXPECT_THAT(table(), ContainsRegex("  job +cavity_radius +collapsibility +\\+- +outcome\n +nm\n"))
         << when;
     EXPECT_THAT(table(), ContainsRegex("  [0-9a-f]{12} +1000 +0.2 +0.0123 +partial\n")) << when;
