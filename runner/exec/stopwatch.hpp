@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <thread>
 
 #include "runner/exec/signals.hpp"
 
@@ -12,6 +13,7 @@ class Stopwatch {
  public:
   double seconds() {
     const auto now = Clock::now();
+    if (now - last_ > std::chrono::milliseconds(200)) wait_for_a_resumption((now - last_) / 100);
     if (const int n = resumptions(); n != resumptions_) {
       resumptions_ = n;
       start_ += now - last_;
@@ -22,6 +24,14 @@ class Stopwatch {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  /// After a stop this thread may go on before the one that takes the signal which says so.
+  void wait_for_a_resumption(Clock::duration at_most) const {
+    const auto until = Clock::now() + at_most;
+    while (resumptions() == resumptions_ && Clock::now() < until)
+      std::this_thread::sleep_for(std::chrono::microseconds(500));
+  }
+
   Clock::time_point start_ = Clock::now(), last_ = start_;
   int resumptions_ = resumptions();
 };
