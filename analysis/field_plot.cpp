@@ -137,7 +137,7 @@ std::string frame_script(const FieldPlot& plot, const Layout& l, const Window& w
   const double bar_x = (l.x(l.columns - 1) + l.panel_width + 16) / width;
   const double bar_low = 1 - (l.y(l.rows - 1) + l.panel_height) / height, bar_high = 1 - l.y(0) / height;
   std::string text = fmt::format("set palette defined {}\n", plot.palette == Palette::grey ? grey : viridis);
-  // The paper's grey goes to white: emptiness has a tint, to be told from what is hottest.
+  // Grey goes to white: emptiness has a tint, to be told from what is hottest.
   if (plot.palette == Palette::grey)
     text +=
         "set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fs solid noborder fc rgb "
@@ -174,7 +174,7 @@ void draw(const FieldPlot& plot, const std::filesystem::path& stem) {
   const auto range = colour_range(plot);
   const DisplayUnit length = display_unit("m", std::max(window.width(), window.height()));
   const double largest = std::max(std::abs(range.first), std::abs(range.second));
-  const DisplayUnit value = plot.palette == Palette::grey ? paper_unit(plot.value.unit, largest)
+  const DisplayUnit value = plot.palette == Palette::grey ? fixed_unit(plot.value.unit, largest)
                                                           : display_unit(plot.value.unit, largest);
   const Layout layout = layout_of(plot.panels, window);
   const int columns = std::max(1, static_cast<int>(std::lround(layout.panel_width * pixels_per_point)));

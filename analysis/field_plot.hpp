@@ -13,7 +13,7 @@ namespace analysis {
 
 enum class Palette {
   viridis,  ///< perceptually uniform, safe for colour-blind readers
-  grey,     ///< as in the paper: from black (least) to white (most), in its units
+  grey,     ///< for print: from black (least) to white (most), in units of fixed_unit()
 };
 
 struct FieldPanel {

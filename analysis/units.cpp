@@ -82,7 +82,7 @@ DisplayUnit display_unit(std::string_view si_unit, double largest) {
   return {1 / best->size, std::string(best->text)};
 }
 
-DisplayUnit paper_unit(std::string_view si_unit, double largest) {
+DisplayUnit fixed_unit(std::string_view si_unit, double largest) {
   if (si_unit == "Pa") return {1e-6, "MPa"};
   if (si_unit == "J/m^3") return {1e-6, "mJ/mm³"};
   return display_unit(si_unit, largest);

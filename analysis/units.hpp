@@ -37,9 +37,10 @@ struct DisplayUnit {
 /// the table stays as it is.
 DisplayUnit display_unit(std::string_view si_unit, double largest);
 
-/// The unit in which the paper draws a field: stress in MPa, work in mJ (here per volume); others as
+/// The unit of grey pictures, which are made for print: of stress (MPa) and of work per volume (mJ/mm³) one
+/// whatever the numbers, so that pictures of several studies can be compared side by side; others as
 /// display_unit().
-DisplayUnit paper_unit(std::string_view si_unit, double largest);
+DisplayUnit fixed_unit(std::string_view si_unit, double largest);
 
 /// "Cavity radius R (µm)", "Collapsibility Φ".
 std::string axis_label(const Quantity&, const DisplayUnit&);

@@ -29,6 +29,7 @@
 #include "runner/cli/watch.hpp"
 #include "runner/exec/signals.hpp"
 #include "runner/finish/finish_study.hpp"
+#include "runner/paper/preface.hpp"
 #include "runner/study/characters.hpp"
 
 namespace {
@@ -50,7 +51,7 @@ void setup_verbs(CLI::App& app) {
   mpmstudy::setup_query(app);
   mpmstudy::setup_export(app);
   mpmstudy::setup_figures(app);
-  mpmstudy::setup_report(app);
+  mpmstudy::setup_report(app, {"the paper's claims", mpmstudy::claims_preface});
   mpmstudy::setup_bench(app);
 }
 

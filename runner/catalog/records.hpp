@@ -107,10 +107,10 @@ struct BracketRow {
   std::optional<double> wall_thickness{};  ///< [m]; for the view `critical_speed`
 };
 
-/// One sentence of the paper, judged; a row of the view `claims`.
+/// One statement of a publication, judged; a row of the view `claims`.
 struct Claim {
-  std::string name;      ///< short, for queries: "critical-speed-parabola"
-  std::string sentence;  ///< what the paper says
+  std::string name;      ///< short, for queries: "grows-with-speed"
+  std::string sentence;  ///< what it says
   std::string study;     ///< whose jobs the number is from
   std::string measured;  ///< the number, with its error where one is known
   std::string verdict;   ///< "holds", "does not", "not comparable", or "not run"

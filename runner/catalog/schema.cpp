@@ -167,7 +167,7 @@ ALTER TABLE critical_speed_bracket ADD COLUMN extrapolated_m_s REAL;  -- to cell
 ALTER TABLE critical_speed_bracket ADD COLUMN interval_m_s REAL;      -- half width, resolution included
 ALTER TABLE critical_speed_bracket ADD COLUMN flags TEXT NOT NULL DEFAULT '';
 ALTER TABLE critical_speed_bracket ADD COLUMN runs INTEGER;           -- jobs that the search asked for
-CREATE TABLE claim (             -- sentences of the paper, judged
+CREATE TABLE claim (             -- statements of a publication, judged
   position INTEGER PRIMARY KEY,
   name     TEXT NOT NULL,
   sentence TEXT NOT NULL,

@@ -54,7 +54,7 @@ class CatalogWriter : public Ledger {
   void replace_fits(const std::string& study, std::vector<FitRow>);
   /// Brackets of a registered study, instead of those it had.
   void replace_brackets(const std::string& study, std::vector<BracketRow>);
-  /// The paper's claims, instead of those that were there.
+  /// Statements of a publication, judged, instead of those that were there.
   void replace_claims(std::vector<Claim>);
 
  private:

@@ -29,7 +29,7 @@ std::vector<StudyForm> forms_of(const std::vector<std::string>& files, const Stu
                                 const std::string& results, bool& complete);
 
 /// A form without what changes the physics of the file: only the options on cells, numerics, snapshots, the
-/// tolerance of a search, and name and title stay. What the paper says is held against this.
+/// tolerance of a search, and name and title stay. Statements on the results of a file are judged on this.
 StudyForm as_written(StudyForm);
 
 /// " --cells 1.4 --set impact_speed=\"150 m/s\"": as one would type it; "" for the file as it is.

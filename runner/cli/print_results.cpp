@@ -167,7 +167,7 @@ std::string flags_text(const Study& study, const std::filesystem::path& results)
            .rows)
     text +=
         fmt::format("  {} {}, {}\n", mark, text_of(row[0]), counted(std::get<std::int64_t>(row[1]), "job"));
-  return text.empty() ? "" : text + "    such numbers are in no figure, fit or claim\n";
+  return text.empty() ? "" : text + "    such numbers are in no figure and no fit\n";
 }
 
 std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<Result>& results,

@@ -1,5 +1,5 @@
 #pragma once
-/// What claims ask of a catalog: numbers of the done jobs of one study.
+/// What statements on results rest on: numbers of the done jobs of one study.
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -16,22 +16,7 @@
 
 namespace mpmstudy {
 
-/// Where plastic work is largest in a snapshot.
-struct HotSpot {
-  double time = 0;      ///< [s]
-  double x = 0, y = 0;  ///< mass centre of the hottest thousandth [m]; x of the right half
-  /// Of the material around it, out to half of its distance to the axis [rad/s], counter-clockwise: angular
-  /// momentum about the mass centre over moment of inertia.
-  double rotation = 0;
-};
-
-/// Closed empty regions of a snapshot, both halves of the block, each of a cell or more.
-struct Cavities {
-  double time = 0;  ///< [s]
-  std::ptrdiff_t count = 0;
-  double largest = 0, total = 0;  ///< [m^2]
-};
-
+/// Numbers of the done jobs of studies. Of a study that the catalog does not have whole nothing is answered.
 class Evidence {
  public:
   /// `studies` as their files say. Only of these, and only where the catalog has one whole, is anything
@@ -62,13 +47,11 @@ class Evidence {
   /// "; intervals of at most 1.2 %": of the collapsibilities for cells of size 0; empty without several
   /// cells.
   std::string largest_interval(const std::string& study) const;
-  /// Of the study's first done job, one a snapshot, in order of time.
-  std::vector<HotSpot> hot_spots(const std::string& study) const;
-  std::vector<Cavities> cavities(const std::string& study) const;
+  /// Snapshots of the study's first done job, in order of time. One at a time: together they may be larger
+  /// than memory. Throws std::runtime_error for one that cannot be read.
+  void each_snapshot(const std::string& study, const std::function<void(const mpm::Snapshot&)>& visit) const;
 
  private:
-  /// One at a time: together they may be larger than memory.
-  void each_snapshot(const std::string& study, const std::function<void(const mpm::Snapshot&)>& visit) const;
   Rows ask(const std::string& study, const std::string& sql) const;
   std::filesystem::path results_;
   std::map<std::string, StudyStanding> standings_;

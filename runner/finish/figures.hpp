@@ -7,12 +7,12 @@
 namespace mpmstudy {
 
 /// Draws every [[figure]] of the study from what is done, as results/figures/STUDY/NAME.png and .svg;
-/// `fields` also in the paper's grey, NAME-grey. A figure for which nothing is done yet is left out. Returns
-/// the PNG files. Every image carries the fingerprint of the rows it was drawn from and the physics version.
-/// Throws std::runtime_error where gnuplot, a snapshot file or the disk fails.
+/// `fields` also in grey, for print, as NAME-grey. A figure for which nothing is done yet is left out.
+/// Returns the PNG files. Every image carries the fingerprint of the rows it was drawn from and the physics
+/// version. Throws std::runtime_error where gnuplot, a snapshot file or the disk fails.
 std::vector<std::filesystem::path> draw_figures(const Study&, const StudyResults&);
 
-/// Figures that are not among `drawn` (a calibration need not be), a line each: "figure fig4: there is
+/// Figures that are not among `drawn` (a calibration need not be), a line each: "figure area: there is
 /// nothing to draw; results/figures/... is of an earlier run".
 std::vector<std::string> not_drawn(const Study&, const std::vector<std::filesystem::path>& drawn,
                                    const std::filesystem::path& results);

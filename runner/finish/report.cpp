@@ -19,7 +19,6 @@
 #include "runner/finish/figures.hpp"
 #include "runner/finish/fits.hpp"
 #include "runner/finish/labels.hpp"
-#include "runner/finish/reference_claims.hpp"
 #include "runner/finish/standing.hpp"
 #include "runner/finish/study_results.hpp"
 #include "runner/plan/plan.hpp"
@@ -240,44 +239,14 @@ analysis::PageSection section_of(const ReportedStudy& reported, const fs::path& 
   return section;
 }
 
-analysis::PageSection section_of(const std::vector<Claim>& claims) {
-  analysis::PageSection judged{
-      "claims",
-      "Claims",
-      "What the paper says of its results, and what was measured here. The paper gives no "
-      "height of its blocks, no cell, no viscosity and no list of yield stresses: each study says "
-      "which reading it rests on.",
-      {},
-      {},
-      {}};
-  analysis::PageTable table{
-      "",
-      {"paper", "verdict", "measured", "fine cells (results/reference)", "on what it rests", "study"},
-      {}};
-  for (const Claim& c : claims) {
-    const auto fine = reference_claims().find(c.name);
-    const std::string reference =
-        fine == reference_claims().end() ? "" : fine->second.verdict + ": " + fine->second.measured;
-    table.rows.push_back({c.sentence, c.verdict, c.measured, reference, c.note, c.study});
-  }
-  judged.tables.push_back(std::move(table));
-  return judged;
-}
-
 }  // namespace
 
 std::string report_page(const std::vector<ReportedStudy>& studies, const fs::path& folder,
-                        const std::vector<Claim>& claims) {
-  analysis::Page page;
-  if (claims.empty()) {
+                        const Preface& preface) {
+  analysis::Page page{preface.title, preface.subtitle, "", preface.sections};
+  if (page.title.empty()) {
     for (const ReportedStudy& one : studies) page.title += (page.title.empty() ? "" : ", ") + one.study.name;
     page.subtitle = "mpmstudy";
-  } else {
-    page.title = "Cavity collapse under shock: the paper, reproduced";
-    page.subtitle =
-        "A. Xu, X. F. Pan, G. Zhang, J. Zhu, J. Phys.: Condens. Matter 19 (2007) 326212, held against "
-        "mpmstudy";
-    page.sections.push_back(section_of(claims));
   }
 
   std::string fingerprints;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "runner/finish/claims.hpp"
+#include "runner/finish/preface.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
@@ -14,13 +14,12 @@ struct ReportedStudy {
   std::string options;
 };
 
-/// One HTML page of everything that a catalog has on these studies: claims, if there are any, then for each
-/// study the reading it rests on (the comment at the head of its file), figures (drawn anew), animations of
-/// its snapshots, its jobs with their errors, fits, brackets and costs. Tables and figures are of the jobs of
-/// this form of the study: what else the catalog has under its name is not shown. Every number is taken from
-/// the catalog as it is asked for. Beside each claim stands what the fine cells of results/reference say.
-/// Throws what draw_figures throws, and CatalogError.
+/// One HTML page of everything that a catalog has on these studies: the preface, if there is any, then for
+/// each study the reading it rests on (the comment at the head of its file), figures (drawn anew), animations
+/// of its snapshots, its jobs with their errors, fits, brackets and costs. Tables and figures are of the jobs
+/// of this form of the study: what else the catalog has under its name is not shown. Every number is taken
+/// from the catalog as it is asked for. Throws what draw_figures throws, and CatalogError.
 std::string report_page(const std::vector<ReportedStudy>&, const std::filesystem::path& results,
-                        const std::vector<Claim>&);
+                        const Preface& = {});
 
 }  // namespace mpmstudy

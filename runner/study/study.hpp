@@ -26,7 +26,7 @@ struct FitRequest {
 
 /// A figure that the study asks for ([[figure]]).
 struct FigureRequest {
-  std::string name;  ///< file stem, e.g. "fig8a"
+  std::string name;  ///< file stem, e.g. "area-of-radius"
   std::string title;
   std::string kind;  ///< "history" (area against time), "xy" (result against parameter, with its fit),
                      ///< "fields" (one panel a snapshot), "calibration" (intervals against finer cells)

@@ -1,4 +1,4 @@
-#include "runner/finish/paper_scenes.hpp"
+#include "runner/paper/paper_scenes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include "runner/finish/reference_claims.hpp"
+#include "runner/paper/reference_claims.hpp"
 
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "runner/finish/reference_claims_csv.hpp"
+#include "runner/paper/reference_claims_csv.hpp"
 
 namespace mpmstudy {
 namespace {

@@ -1,6 +1,10 @@
 #pragma once
-/// Whether a number with an interval is beyond a limit: yes, no, or not to be told from what was measured.
+/// A claim before it is judged, and how: whether a number with an interval is beyond a limit is yes, no, or
+/// not to be told from what was measured.
+#include <fmt/format.h>
+
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -17,11 +21,32 @@ inline constexpr const char* not_decided = "not decided at these cells";
 inline constexpr const char* not_comparable = "not comparable";
 inline constexpr const char* not_run = "not run";
 
+/// Of a fit without a point to spare.
+inline constexpr const char* says_nothing =
+    "such a curve goes through any points, and says nothing of their course";
+
+inline Claim claim(std::string name, std::string sentence, std::string study) {
+  return {std::move(name), std::move(sentence), std::move(study), "", not_run, ""};
+}
+
+/// "0.965 ± 0.012"; the value alone where no interval is known.
+inline std::string with_interval(const Measured& number, int decimals) {
+  if (!number.error) return fmt::format("{:.{}f}", number.value, decimals);
+  return fmt::format("{:.{}f} ± {:.{}f}", number.value, decimals, *number.error, decimals);
+}
+
 /// A number without a known interval is taken as it is.
 inline Truth is_below(const Measured& number, double limit) {
   const double half = number.error.value_or(0);
   if (number.value + half < limit) return Truth::yes;
   return number.value - half >= limit ? Truth::no : Truth::open;
+}
+
+/// Whether a number is within `share` of a reference.
+inline Truth is_within(const Measured& number, double reference, double share) {
+  return is_below({std::abs(number.value / reference - 1),
+                   number.error ? std::optional(*number.error / reference) : std::nullopt},
+                  share);
 }
 
 /// open where it hangs on one that is open.

@@ -1,5 +1,5 @@
 // Claims follow the numbers of the catalog: the same study with other results is judged otherwise.
-#include "runner/finish/claims.hpp"
+#include "runner/paper/claims.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 
 #include "libmpm/io/vtkhdf.hpp"
 #include "runner/catalog/writer.hpp"
-#include "runner/finish/reference_claims.hpp"
+#include "runner/paper/reference_claims.hpp"
 #include "tests/runner/fakes.hpp"
 
 namespace mpmstudy {

@@ -1,11 +1,11 @@
 // Claims of the paper are judged on its scenes only: a file that bears the name of one and says something
 // else is told apart, and every study of the project is known.
-#include "runner/finish/paper_scenes.hpp"
+#include "runner/paper/paper_scenes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "runner/finish/claims.hpp"
+#include "runner/paper/claims.hpp"
 
 namespace mpmstudy {
 namespace {
