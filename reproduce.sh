@@ -21,7 +21,7 @@ while [ $# -gt 0 ]; do
 done
 studies=(two-body-jet strong-collapse critical-speed critical-speed-spall weak-collapse symmetry block-height
          collapsibility-radius collapsibility-yield scale-invariance planar-impact)
-files=("${studies[@]/#/studies/}")
+files=("${studies[@]/#/studies/paper/}")
 files=("${files[@]/%/.toml}")
 
 install_missing build

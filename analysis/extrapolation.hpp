@@ -62,7 +62,7 @@ struct Extrapolation {
 /// last difference, where the order is not clean; 1.25 times the spread of the three finest cells where the
 /// value turns. (Roache's 1.25 about the finest value is a quarter of the way beyond the extrapolated one;
 /// that way is halved here because three cells a factor sqrt(2) apart show their order less well.
-/// studies/error-bars.toml measures how often these intervals hold.) The measuring error is added in
+/// studies/examples/error-bars.toml measures how often these intervals hold.) The measuring error is added in
 /// quadrature, as independent; an interval ends at the bounds. Affine: a value in other units gives the same
 /// interval in those.
 Extrapolation extrapolate(std::span<const LadderPoint>, const Bounds& = {}, double one_cell_error = 0);

@@ -26,7 +26,6 @@
 namespace mpmstudy {
 namespace {
 
-namespace fs = std::filesystem;
 
 /// A job of a study file, and the study that says where its values stand.
 struct Wanted {
@@ -117,9 +116,9 @@ std::optional<Wanted> find_in_files(const ExplainOptions& options, const std::st
   for (const auto& file : options.files)
     files.emplace_back(file, last_form(file, options.study, options.results).options);
   if (files.empty() && has_catalog(options.results))
-    for (auto& study : read_studies(options.results))
-      if (fs::exists(study.source.path))
-        files.push_back({study.source.path, {std::move(study.source.set), study.source.cells, true}});
+    for (const auto& study : read_studies(options.results))
+      if (auto form = recorded_form(study))
+        files.emplace_back(std::move(form->path), std::move(form->options));
   for (const auto& [file, how] : files) {
     try {
       if (auto wanted = find_job(read_study(file, how), key)) return wanted;

@@ -14,6 +14,7 @@
 #include "runner/exec/run_search.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
+#include "runner/study/moved.hpp"
 #include "runner/study/schema.hpp"
 
 namespace mpmstudy {
@@ -42,7 +43,7 @@ bool is_file_of(const std::string& path, const StudySource& source) {
   return source.path.empty() || !fs::exists(source.path, error) || fs::equivalent(path, source.path, error);
 }
 
-StudyForm recorded_form(std::string path, StudySource source) {
+StudyForm form_of(std::string path, StudySource source) {
   StudyOptions options;
   options.set = std::move(source.set);
   options.cells = source.cells;
@@ -83,19 +84,40 @@ StudyForm last_form(const std::string& path, const StudyOptions& options, const 
   const std::string name = read_study(path, options).name;
   const auto source = recorded_source(results, name);
   if (!source || !is_file_of(path, *source)) return {path, options};
-  StudyForm form = recorded_form(path, *source);
+  StudyForm form = form_of(path, *source);
   if (std::string text = options_text(form.options.set, form.options.cells); !text.empty())
     fmt::print(stderr, "{}: as it was last run, with{} (--cells 1 takes the file as it is)\n", name, text);
   return form;
+}
+
+std::optional<StudyForm> recorded_form(const StoredStudy& study) {
+  std::error_code error;
+  const std::string& path = study.source.path;
+  if (path.empty()) return std::nullopt;
+  if (fs::exists(path, error)) return form_of(path, study.source);
+  for (const fs::path& file : same_name_below(path)) {
+    StudyForm form = form_of(file.string(), study.source);
+    try {
+      if (read_study(form.path, form.options).name == study.name) return form;
+    } catch (const StudyError&) {
+      continue;  // a file that is no study, or of another kind, is not the one that was recorded
+    }
+  }
+  return std::nullopt;
 }
 
 std::vector<StudyForm> all_forms(const std::string& results, bool& complete) {
   std::vector<StudyForm> forms;
   for (StoredStudy& study : read_studies(results)) {
     if (study.name.ends_with("-audit")) continue;  // runs of a search again; it has no file of its own
-    StudyForm form = recorded_form(study.source.path, study.source);
+    StudyForm form = form_of(study.source.path, study.source);
     std::string wrong;
     try {
+      if (const auto found = recorded_form(study); found && found->path != form.path) {
+        fmt::print(stderr, "{}: {} is not there any longer; {} is taken in its place\n", study.name,
+                   form.path, found->path);
+        form = *found;
+      }
       if (form.path.empty())
         wrong = "the catalog does not know its file";
       else if (!fs::exists(form.path))

@@ -1,8 +1,10 @@
 #pragma once
 /// The form in which a study was last run: its --set and --cells, which the catalog has recorded.
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "runner/catalog/stored_jobs.hpp"
 #include "runner/cli/cli.hpp"
 #include "runner/plan/plan.hpp"
 
@@ -19,8 +21,12 @@ struct StudyForm {
 /// `--set name=...` alone, the last run of the study with that name. Throws StudyError.
 StudyForm last_form(const std::string& path, const StudyOptions&, const std::string& results);
 
-/// Every study that the catalog has a file of, in the form of its last run. A study whose file is gone, or is
-/// now a file of another study, is named on stderr and makes `complete` false.
+/// A study of the catalog in the form of its last run. Where its file is gone, the one of the same name in a
+/// folder directly below, if that is a file of the study. Empty: there is none.
+std::optional<StudyForm> recorded_form(const StoredStudy&);
+
+/// Every study that the catalog has a file of, in the form of its last run. A file that was moved is named on
+/// stderr; so is a study whose file is gone, or is now a file of another study, which makes `complete` false.
 std::vector<StudyForm> all_forms(const std::string& results, bool& complete);
 
 /// The forms of the files named, or of all studies of the catalog where none is. Throws StudyError where two

@@ -50,14 +50,8 @@ void keep_fuller_page(const std::filesystem::path& output, const std::string& pa
 std::map<std::string, StudyForm> forms_by_name(const std::vector<StudyForm>& forms,
                                                const std::string& results) {
   std::map<std::string, StudyForm> by_name;
-  for (StoredStudy& stored : read_studies(results))
-    if (std::filesystem::exists(stored.source.path)) {
-      StudyForm form{stored.source.path, {}};
-      form.options.set = std::move(stored.source.set);
-      form.options.cells = stored.source.cells;
-      form.options.yes = true;
-      by_name[stored.name] = std::move(form);
-    }
+  for (const StoredStudy& stored : read_studies(results))
+    if (auto form = recorded_form(stored)) by_name[stored.name] = std::move(*form);
   for (const StudyForm& form : forms) by_name[read_study(form.path, form.options).name] = form;
   return by_name;
 }

@@ -9,6 +9,7 @@
 
 #include "runner/study/characters.hpp"
 #include "runner/study/decimal.hpp"
+#include "runner/study/moved.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
@@ -57,12 +58,18 @@ void move_to(Value& value, const Place& place) {
     }
 }
 
+/// "there is studies/examples/smoke.toml"; without a file of this name, what to do.
+std::string where_it_may_be(const std::filesystem::path& path) {
+  std::string text;
+  for (const auto& file : same_name_below(path)) text += (text.empty() ? "there is " : ", ") + file.string();
+  return text.empty() ? "give the path of a study file" : text;
+}
+
 std::string file_text(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   const std::string name = path.string();
-  if (!std::filesystem::exists(status))
-    throw StudyError(name + ": no such file; give the path of a study file");
+  if (!std::filesystem::exists(status)) throw StudyError(name + ": no such file; " + where_it_may_be(path));
   if (std::filesystem::is_directory(status))
     throw StudyError(name + ": is a directory; give the path of a study file (*.toml)");
   std::ifstream stream(path, std::ios::binary);

@@ -97,12 +97,20 @@ TEST(BadInput, CommandLines) {
   const Folder folder;
   std::ofstream(folder.path() / "good.toml") << good_study;
   fs::create_directory(folder.path() / "folder");
+  for (const char* below : {"a", "b"}) {  // where studies may have been moved to
+    fs::create_directory(folder.path() / below);
+    std::ofstream(folder.path() / below / "both.toml") << good_study;
+  }
+  std::ofstream(folder.path() / "b" / "moved.toml") << good_study;
   const auto before = folder.contents();
   const struct {
     const char* arguments;
     const char* begins;  ///< of stderr
   } cases[] = {
       {"check absent.toml", "absent.toml: no such file; "},
+      {"check moved.toml", "moved.toml: no such file; there is b/moved.toml\n"},
+      {"run ./both.toml", "./both.toml: no such file; there is ./a/both.toml, ./b/both.toml\n"},
+      {"plan '*.toml'", "*.toml: no such file; there is a/*.toml, b/*.toml\n"},
       {"check folder", "folder: is a directory; "},
       {"check good.toml --set impact_speed='200 kg'",
        "--set: impact_speed = \"200 kg\": 'kg' is not a unit of"},

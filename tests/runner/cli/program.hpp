@@ -45,7 +45,7 @@ class Program : public testing::Test {
   fakes::TemporaryFolder folder;
   std::string log = (folder.path() / "log").string();
   std::string results = (folder.path() / "results").string();
-  std::string smoke = SOURCE_DIR "/studies/smoke.toml";
+  std::string smoke = SOURCE_DIR "/studies/examples/smoke.toml";
   std::string output;
 };
 

@@ -17,7 +17,7 @@ namespace {
 class RunVerb : public testing::Test {
  protected:
   RunVerb() {
-    options.files = {SOURCE_DIR "/studies/smoke.toml"};
+    options.files = {SOURCE_DIR "/studies/examples/smoke.toml"};
     options.results = (folder.path() / "results").string();
     seams.simulate = [this](const mpm::Scene& s, mpm::Observer& o) {
       ++simulated;
@@ -160,7 +160,7 @@ TEST_F(RunVerb, amounts_that_are_none_are_refused_before_anything_is_written) {
 class Only : public RunVerb {
  protected:
   Only() {
-    options.files = {SOURCE_DIR "/studies/smoke.toml"};
+    options.files = {SOURCE_DIR "/studies/examples/smoke.toml"};
     const Study study = read_study(options.files[0], options.study);
     for (const auto& job : make_plan(study).jobs) keys.push_back(job.key);
   }

@@ -120,7 +120,7 @@ TEST_F(Forms, RunSaysWhatItReplaces) {
 TEST_F(Forms, AClaimIsNotJudgedOnAnotherSpeed) {
   // The paper's own study, coarse and short.
   const std::string weak = std::string("run -q ") + SOURCE_DIR +
-                           "/studies/weak-collapse.toml --cells 3 --set end_time='1 ns' --set "
+                           "/studies/paper/weak-collapse.toml --cells 3 --set end_time='1 ns' --set "
                            "'snapshots=[\"1 ns\"]' ";
   ASSERT_EQ(run(weak + "--set impact_speed='150 m/s'", printed), 0) << printed;
   run("report", printed);
@@ -141,7 +141,7 @@ TEST_F(Forms, AClaimIsNotJudgedOnAFileThatOnlyBearsTheName) {
 
 TEST_F(Forms, AReportHasTheClaimsOfItsStudiesOnly) {
   const std::string mine = write("T.toml", study_text("t")).string();
-  const std::string planar = std::string(SOURCE_DIR) + "/studies/planar-impact.toml";
+  const std::string planar = std::string(SOURCE_DIR) + "/studies/paper/planar-impact.toml";
   ASSERT_EQ(run("run -q " + mine, printed), 0) << printed;
   for (const std::string files : {"", mine.c_str()}) {
     EXPECT_EQ(run("report " + files, printed), 0) << printed;
@@ -159,11 +159,41 @@ TEST_F(Forms, AReportHasTheClaimsOfItsStudiesOnly) {
 }
 
 TEST_F(Forms, AClaimIsJudgedOnOtherCells) {
-  const std::string study = std::string(SOURCE_DIR) + "/studies/planar-impact.toml";
+  const std::string study = std::string(SOURCE_DIR) + "/studies/paper/planar-impact.toml";
   ASSERT_EQ(run("run -q --cells 2 " + study, printed), 0) << printed;
   run("report " + study, printed);
   EXPECT_THAT(first("SELECT verdict || ': ' || measured FROM claims WHERE name = 'initial-pressure'"),
               testing::ContainsRegex("^(holds|not decided at these cells): .* GPa"));
+}
+
+// A catalog knows where a file was. One that is sorted into a folder below is still the study's.
+TEST_F(Forms, AFileThatWasMovedIntoAFolderIsFound) {
+  const fs::path t = write("T.toml", study_text("t")), below = t.parent_path() / "below";
+  ASSERT_EQ(run("run -q --cells 1.4 " + t.string(), printed), 0) << printed;
+  const std::string key = first("SELECT key FROM jobs LIMIT 1"), moved = (below / "T.toml").string();
+  fs::create_directories(t.parent_path() / "another");
+  write("another/T.toml", study_text("another"));  // has the file's name, and is another study
+  fs::remove(t);
+  EXPECT_EQ(run("report", printed), 1);
+  EXPECT_THAT(printed, HasSubstr("t: left out; " + t.string() + ": is not there any longer"));
+  EXPECT_EQ(run("explain " + key, printed), 0) << "what the catalog has is enough";
+  EXPECT_EQ(run("status t", printed), 0) << printed;
+
+  fs::create_directories(below);
+  std::ofstream(moved) << study_text("t");
+  for (const std::string verb : {"report", "figures"}) {
+    EXPECT_EQ(run(verb, printed), 0) << printed;
+    EXPECT_THAT(printed, HasSubstr("t: " + t.string() + " is not there any longer; " + moved +
+                                   " is taken in its place"));
+  }
+  EXPECT_THAT(page(), HasSubstr("As it was run with --cells 1.4"));
+  EXPECT_EQ(run("explain " + key, printed), 0);
+  EXPECT_THAT(printed, HasSubstr("cavity_radius"));
+  EXPECT_THAT(printed, HasSubstr(moved + ":10:17"));
+  // Running it from there is no other study's run.
+  EXPECT_EQ(run("run -q --cells 1.4 " + moved, printed), 0) << printed;
+  EXPECT_THAT(printed, Not(HasSubstr("takes the place")));
+  EXPECT_EQ(first("SELECT path FROM studies WHERE name = 't'"), moved);
 }
 
 TEST_F(Forms, FitsOfAnotherFormAreForgotten) {

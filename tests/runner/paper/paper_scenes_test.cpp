@@ -15,7 +15,7 @@ using testing::HasSubstr;
 Study read(const std::string& name, std::vector<std::pair<std::string, std::string>> set = {}) {
   ReadOptions options;
   options.set = std::move(set);
-  return read_study(std::string(SOURCE_DIR) + "/studies/" + name + ".toml", options);
+  return read_study(std::string(SOURCE_DIR) + "/studies/paper/" + name + ".toml", options);
 }
 
 TEST(PaperScenes, TheStudiesOfTheProjectAreThePapers) {

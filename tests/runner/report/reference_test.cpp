@@ -49,7 +49,7 @@ TEST(Reference, AQuickRunAgreesWithinTheErrorBars) {
   const fs::path& results = folder.path();
   std::string command = std::string(MPMSTUDY) + " run -q --cells 1.4 --results " + results.string();
   for (const char* study : {"weak-collapse", "collapsibility-radius", "collapsibility-yield"})
-    command += std::string(" " SOURCE_DIR "/studies/") + study + ".toml";
+    command += std::string(" " SOURCE_DIR "/studies/paper/") + study + ".toml";
   ASSERT_EQ(std::system((command + " > /dev/null").c_str()), 0);
   const auto compare = [&](const std::string& table, const std::string& error_column) {
     int compared = 0;
