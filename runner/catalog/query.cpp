@@ -96,7 +96,7 @@ std::string older_note(sqlite3* handle) {
   if (code == SQLITE_INTERRUPT) throw CatalogError("query: it took too long");
   if (code == SQLITE_AUTH)
     throw CatalogError("query: " + std::string(sqlite3_errmsg(handle)) +
-                       ": only reading is allowed (SELECT over the views; see runner/catalog/README.md)");
+                       ": only reading is allowed (SELECT over the views; see runner/catalog/VIEWS.md)");
   const std::string message = sqlite3_errmsg(handle);
   throw CatalogError("query: " + message + older_note(handle));
 }
@@ -115,8 +115,7 @@ Prepared prepare(sqlite3* handle, const std::string& sql) {
   const Prepared second(next);
   if (next_code != SQLITE_OK || second) throw CatalogError("query: only one statement at a time");
   if (sqlite3_stmt_readonly(statement.get()) == 0)
-    throw CatalogError(
-        "query: only reading is allowed (SELECT over the views; see runner/catalog/README.md)");
+    throw CatalogError("query: only reading is allowed (SELECT over the views; see runner/catalog/VIEWS.md)");
   return statement;
 }
 

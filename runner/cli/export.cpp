@@ -106,7 +106,7 @@ void setup_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App& verb = *app.add_subcommand("export", "Write views of the catalog as CSV or JSON");
   verb.add_option("--what", options->what,
-                  "A view of the catalog (runner/catalog/README.md lists them), or all of them")
+                  "A view of the catalog (runner/catalog/VIEWS.md lists them), or all of them")
       ->type_name("VIEW|all")
       ->capture_default_str();
   verb.add_option("--study", options->study, "Rows of this study only")->type_name("NAME");

@@ -15,7 +15,7 @@ void setup_query(CLI::App& app) {
   const auto options = std::make_shared<QueryOptions>();
   CLI::App& verb = *app.add_subcommand(
       "query", "Ask the catalog in SQL: SELECT over jobs, metrics, area_history, fits, brackets, ...");
-  verb.add_option("SQL", options->sql, "One statement that reads; runner/catalog/README.md lists the views")
+  verb.add_option("SQL", options->sql, "One statement that reads; runner/catalog/VIEWS.md lists the views")
       ->required();
   verb.add_option("--format", options->format, "table, csv or json")
       ->check(CLI::IsMember({"table", "csv", "json"}))

@@ -100,7 +100,7 @@ TEST_F(Views, others) {
 }
 
 TEST_F(Views, every_column_is_documented) {
-  std::ifstream file(SOURCE_DIR "/runner/catalog/README.md");
+  std::ifstream file(SOURCE_DIR "/runner/catalog/VIEWS.md");
   std::stringstream text;
   text << file.rdbuf();
   for (const char* view : {"jobs", "metrics", "area_history", "brackets", "critical_speed", "fits",

@@ -21,7 +21,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string catalog_page() {
-  std::ifstream file(SOURCE_DIR "/runner/catalog/README.md");
+  std::ifstream file(SOURCE_DIR "/runner/catalog/VIEWS.md");
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
@@ -225,7 +225,7 @@ std::string metrics_table() {
 
 TEST(ResultsTable, IsTheTableOfTheCatalogsPage) {
   EXPECT_NE(catalog_page().find(metrics_table()), std::string::npos)
-      << "put this table into runner/catalog/README.md:\n"
+      << "put this table into runner/catalog/VIEWS.md:\n"
       << metrics_table();
 }
 
