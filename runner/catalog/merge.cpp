@@ -102,8 +102,8 @@ void take_studies(SQLite::Database& db, std::set<std::string>& taken) {
     execute(study, name);
     SQLite::Statement members(
         db,
-        "INSERT OR IGNORE INTO main.study_job (study_id, job_id, position, coarse) "
-        "SELECT s.id, j.id, m.position, m.coarse "
+        "INSERT OR IGNORE INTO main.study_job (study_id, job_id, position, coarse, reason) "
+        "SELECT s.id, j.id, m.position, m.coarse, m.reason "
         "FROM shard.study_job m JOIN shard.study t ON t.id = m.study_id JOIN main.study s ON s.name = t.name "
         "JOIN shard.job k ON k.id = m.job_id JOIN main.job j ON j.key = k.key WHERE t.name = ?");
     execute(members, name);

@@ -207,7 +207,8 @@ Registration Store::register_study(const std::string& name, const std::string& t
     const auto row = impl_->find(jobs[i]);
     rows.push_back(row ? *row : Impl::Row{.id = impl_->add_job(jobs[i])});
     const auto& rung_of = jobs[i].rung_of;
-    execute(impl_->insert_member, study, rows.back().id, rung_of ? *rung_of : position++, rung_of ? 1 : 0);
+    execute(impl_->insert_member, study, rows.back().id, rung_of ? *rung_of : position++, rung_of ? 1 : 0,
+            or_null(jobs[i].reason));
   }
 
   const auto damaged = impl_->damaged_jobs(study);
@@ -257,7 +258,7 @@ JobStatus Store::add_finer(const std::string& study, const Job& rung, bool retry
   SQLite::Statement coarser(*impl_->db,
                             "UPDATE study_job SET coarse = 1 WHERE study_id = ? AND position = ?");
   execute(coarser, id, rung.rung_of);
-  execute(impl_->insert_member, id, job, rung.rung_of, 0);
+  execute(impl_->insert_member, id, job, rung.rung_of, 0, or_null(rung.reason));
   return status;
 }
 

@@ -257,6 +257,11 @@ UPDATE fit SET r2 = NULL WHERE points <= (SELECT count(*) FROM fit f WHERE f.stu
   f.quantity = fit.quantity AND f.against = fit.against AND f.model = fit.model AND f.family = fit.family);
 )sql";
 
+// Why a study asked for a job, as it was known when it did.
+constexpr std::string_view version_9 = R"sql(
+ALTER TABLE study_job ADD COLUMN reason TEXT;  -- null: entered by an older program
+)sql";
+
 std::vector<ParameterColumn> parameter_columns() {
   std::vector<ParameterColumn> columns;
   for (const auto& quantity : mpm::quantities()) columns.push_back({std::string(quantity.column), "REAL"});
@@ -274,7 +279,8 @@ CatalogSchema current_catalog_schema() {
            {5, version_5},
            {6, version_6},
            {7, version_7},
-           {8, version_8}},
+           {8, version_8},
+           {9, version_9}},
           parameter_columns()};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What is inside a catalog: tables (private), views (public, in views.cpp; README.md), and how one version becomes the
-/// next. Rules:
+/// What is inside a catalog: tables (private), views (public, in views.cpp; README.md), and how one version
+/// becomes the next. Rules:
 /// - a table or a view changes by a new Migration at the end of migrations(), never by editing an old one;
 /// - a parameter is a row of libmpm/scene/parameters.hpp: its column is added when the catalog is opened;
 /// - columns of a view keep their name and meaning; new ones come at its end.

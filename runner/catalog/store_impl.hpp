@@ -39,7 +39,8 @@ struct Store::Impl {
   SQLite::Statement select_job{*db, "SELECT id, status, attempt, runner_id, crashes FROM job WHERE key = ?"};
   SQLite::Statement insert_job{*db, insert_job_sql()};
   SQLite::Statement insert_member{
-      *db, "INSERT OR IGNORE INTO study_job (study_id, job_id, position, coarse) VALUES (?, ?, ?, ?)"};
+      *db,
+      "INSERT OR IGNORE INTO study_job (study_id, job_id, position, coarse, reason) VALUES (?, ?, ?, ?, ?)"};
   SQLite::Statement plan_again{
       *db,
       "UPDATE job SET status = 'planned', reason = NULL, failure_kind = NULL, runner_id = NULL, "

@@ -72,6 +72,10 @@ CREATE VIEW events AS SELECT j.key AS key, e.from_status AS from_status, e.to_st
   r.host || ':' || r.pid AS "by", e.attempt AS attempt, e.reason AS reason, e.id AS id
 FROM event e JOIN job j ON j.id = e.job_id JOIN runner r ON r.id = e.runner_id;
 
+DROP VIEW IF EXISTS decisions;
+CREATE VIEW decisions AS SELECT s.name AS study, j.key AS key, m.position AS position, m.reason AS reason
+FROM study_job m JOIN study s ON s.id = m.study_id JOIN job j ON j.id = m.job_id;
+
 DROP VIEW IF EXISTS studies;
 CREATE VIEW studies AS SELECT name, title, updated_at, path, overrides, cells FROM study;
 

@@ -17,7 +17,8 @@ void setup_bench(CLI::App& app) {
   verb.require_subcommand(1);
   setup_bench_accuracy(verb);
   setup_bench_exact(verb);
-  CLI::App& kernel = *verb.add_subcommand("kernel", "Particle updates per second, fast step against reference");
+  CLI::App& kernel =
+      *verb.add_subcommand("kernel", "Particle updates per second, fast step against reference");
   kernel.add_option("--particles", options->kernel.particles, "Sizes to measure [10000 150000]")
       ->check(CLI::Range(1000, 100'000'000));
   kernel.add_option("--threads", options->kernel.threads, "Threads in one run, by time that passes [1]")

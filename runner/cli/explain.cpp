@@ -15,11 +15,11 @@
 #include "libmpm/simulation.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/job_states.hpp"
 #include "runner/catalog/stored_jobs.hpp"
 #include "runner/cli/last_run.hpp"
-#include "runner/exec/run_search.hpp"
 #include "runner/plan/plan.hpp"
+#include "runner/search/search_planner.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/readable.hpp"
 
@@ -130,32 +130,18 @@ std::optional<Wanted> find_in_files(const ExplainOptions& options, const std::st
 }
 
 void print_history(const std::string& results, const std::string& key) {
-  const SqlValue parameter = key;
   fmt::print("history:\n");
-  for (const auto& row :
-       query(results,
-             "SELECT at, from_status, to_status, \"by\", reason FROM events WHERE key = ?1 ORDER BY id",
-             std::span(&parameter, 1))
-           .rows) {
-    const auto text = [&](std::size_t i) {
-      const auto* word = std::get_if<std::string>(&row[i]);
-      return word ? *word : std::string();
-    };
-    const bool is_new = text(1).empty();
-    fmt::print("  {}  {} by {}{}\n", text(0), is_new ? "new" : text(1) + " -> " + text(2), text(3),
-               text(4).empty() ? "" : ": " + text(4));
-  }
+  for (const JobEvent& event : events_of(results, key))
+    fmt::print("  {}  {} by {}{}\n", event.at, event.from.empty() ? "new" : event.from + " -> " + event.to,
+               event.by, event.reason.empty() ? "" : ": " + event.reason);
 }
 
-std::string studies_of(const std::string& results, const std::string& key) {
-  const SqlValue parameter = key;
-  std::string names;
-  for (const auto& row :
-       query(results, "SELECT study FROM jobs WHERE key = ?1 AND study IS NOT NULL ORDER BY study",
-             std::span(&parameter, 1))
-           .rows)
-    names += (names.empty() ? "" : ", ") + std::get<std::string>(row[0]);
-  return names.empty() ? "no study" : names;
+/// The studies that have the job, each with the reason that its planner gave.
+void print_studies_of(const std::string& results, const std::string& key) {
+  const auto decisions = decisions_of(results, key);
+  if (decisions.empty()) fmt::print("of no study\n");
+  for (const Decision& decision : decisions)
+    fmt::print("of {}{}{}\n", decision.study, decision.reason.empty() ? "" : ": ", decision.reason);
 }
 
 /// What the next `run` does with the job.
@@ -259,7 +245,8 @@ int run_explain(const ExplainOptions& said) {
     print_news(all, it.scene, static_cast<std::int64_t>(all.size()) + 1, wanted);
     return exit_ok;
   }
-  fmt::print("of {}\n{}\n", studies_of(options.results, it.key), verdict(*job));
+  print_studies_of(options.results, it.key);
+  fmt::print("{}\n", verdict(*job));
   if (job->crashes > 0)
     fmt::print("its process ended while it ran, {}, so it runs in a process of its own\n",
                job->crashes == 1 ? "once" : fmt::format("{} times", job->crashes));

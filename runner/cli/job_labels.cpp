@@ -19,12 +19,17 @@ JobLabels::JobLabels(const std::vector<Study>& studies) {
 
 void JobLabels::add(const std::vector<Job>& jobs, std::size_t study) {
   if (names_.size() == 1) return;
+  std::lock_guard lock(mutex_);
   for (const Job& job : jobs) study_of_.emplace(job.key, study);
 }
 
 std::string JobLabels::operator()(const Job& job) const {
-  const auto found = study_of_.find(job.key);
-  return label_of(job.scene, names_.at(found == study_of_.end() ? current_ : found->second));
+  const auto study = [&] {
+    std::lock_guard lock(mutex_);
+    const auto found = study_of_.find(job.key);
+    return found == study_of_.end() ? 0 : found->second;
+  }();
+  return label_of(job.scene, names_.at(study));
 }
 
 }  // namespace mpmstudy

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -10,22 +11,20 @@
 namespace mpmstudy {
 
 /// What sets a job apart within its study, for the lines of a run of several: the names that its own study
-/// sweeps, the searched one, and the cell where there is a ladder of them.
+/// sweeps, the searched one, and the cell where there is a ladder of them. Any thread may ask.
 class JobLabels {
  public:
   explicit JobLabels(const std::vector<Study>&);
 
-  /// Jobs of a plan belong to the study at this place of the list; the first one that asks for a job has it.
+  /// Jobs that are wanted belong to the study at this place of the list; the first one that asks for a job
+  /// has it.
   void add(const std::vector<Job>&, std::size_t study);
-  /// The study of all jobs that add() was not told of: the search whose rounds run.
-  void set_current(std::size_t study) { current_ = study; }
-
   std::string operator()(const Job&) const;
 
  private:
   std::vector<std::vector<std::string>> names_;  ///< of each study
   std::unordered_map<std::string, std::size_t> study_of_;
-  std::size_t current_ = 0;
+  mutable std::mutex mutex_;  ///< of study_of_
 };
 
 }  // namespace mpmstudy

@@ -9,10 +9,10 @@
 #include <set>
 
 #include "runner/catalog/connection.hpp"
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/job_states.hpp"
 #include "runner/catalog/stored_jobs.hpp"
-#include "runner/exec/run_search.hpp"
 #include "runner/plan/plan.hpp"
+#include "runner/search/search_planner.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/moved.hpp"
 #include "runner/study/schema.hpp"
@@ -167,11 +167,8 @@ void say_what_is_replaced(const Study& study, const Plan* plan, const StudyOptio
   const bool own_file = is_file_of(study.path.string(), *before);
   const bool same = before->set == options.set && before->cells == options.cells;
   if (!plan && same && own_file) return;
-  const SqlValue name = study.name;
-  const Rows done =
-      query(results, "SELECT key FROM jobs WHERE study = ?1 AND status = 'done'", std::span(&name, 1));
-  std::set<std::string> leave;
-  for (const auto& row : done.rows) leave.insert(std::get<std::string>(row[0]));
+  const auto done = keys_of(results, study.name, JobStatus::done);
+  std::set<std::string> leave(done.begin(), done.end());
   if (plan)
     for (const Job& job : all_jobs(*plan)) leave.erase(job.key);
   else

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/job_states.hpp"
 #include "runner/cli/cli.hpp"
 #include "runner/finish/figures.hpp"
 #include "runner/finish/standing.hpp"
@@ -25,12 +25,9 @@ int say_what_is_missing(const Study& study, const StudyResults& results, const s
     return exit_stopped;
   }
   fmt::print(stderr, "{}: {}\n", study.name, found.why);
-  const SqlValue name = study.name;
-  const Rows failed = query(
-      results.folder, "SELECT key FROM jobs WHERE study = ?1 AND status = 'failed' ORDER BY position LIMIT 1",
-      std::span(&name, 1));
-  if (!failed.rows.empty()) {
-    const std::string key = short_key(std::get<std::string>(failed.rows[0][0]));
+  const auto failed = keys_of(results.folder, study.name, JobStatus::failed);
+  if (!failed.empty()) {
+    const std::string key = short_key(failed.front());
     fmt::print(stderr,
                "{}: `mpmstudy explain {}` says why the first of them failed, `mpmstudy retry --study {}` "
                "plans failed jobs again\n",

@@ -12,7 +12,7 @@
 
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/job_states.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/cli/ask.hpp"
 #include "runner/cli/last_run.hpp"
@@ -55,10 +55,10 @@ std::string readable_cost(const Prediction& cost) {
 }
 
 std::string source_of(const CostModel& cost) {
-  return cost.learnt_from() > 0
-             ? fmt::format("learnt from {} on this host",
-                           counted(static_cast<std::int64_t>(cost.learnt_from()), "job"))
-             : fmt::format("assumed: {:.3g} particle updates per second and core", assumed_updates_per_second);
+  return cost.learnt_from() > 0 ? fmt::format("learnt from {} on this host",
+                                              counted(static_cast<std::int64_t>(cost.learnt_from()), "job"))
+                                : fmt::format("assumed: {:.3g} particle updates per second and core",
+                                              assumed_updates_per_second);
 }
 
 double longest_job(const std::vector<Job>& jobs) {
@@ -174,22 +174,20 @@ SearchCost search_cost(const Study& study, const CostModel& cost, int workers) {
   return search;
 }
 
-/// Statuses of all jobs of the catalog, if there is one: key -> status.
-std::map<std::string, std::string> known_jobs(const std::string& results) {
-  std::map<std::string, std::string> known;
-  if (std::filesystem::exists(catalog_path(results))) try {
-      for (const auto& row : query(results, "SELECT DISTINCT key, status FROM jobs").rows)
-        known[std::get<std::string>(row[0])] = std::get<std::string>(row[1]);
-    } catch (const CatalogError&) {  // nothing is known
-    }
-  return known;
+/// key -> status; nothing where the catalog cannot be read.
+std::map<std::string, JobStatus> known_jobs(const std::string& results) {
+  try {
+    return job_states(results);
+  } catch (const CatalogError&) {
+    return {};
+  }
 }
 
 /// How many jobs the catalog has as done; those that it has under a former key count.
-std::size_t count_done(const std::vector<Job>& jobs, const std::map<std::string, std::string>& known) {
+std::size_t count_done(const std::vector<Job>& jobs, const std::map<std::string, JobStatus>& known) {
   const auto done = [&](const std::string& key) {
     const auto found = known.find(key);
-    return found != known.end() && found->second == "done";
+    return found != known.end() && found->second == JobStatus::done;
   };
   return static_cast<std::size_t>(std::ranges::count_if(
       jobs, [&](const Job& job) { return done(job.key) || done(former_key(job.scene)); }));

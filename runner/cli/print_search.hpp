@@ -1,7 +1,8 @@
 #pragma once
 #include <string>
 
-#include "runner/exec/run_search.hpp"
+#include "runner/exec/run_studies.hpp"
+#include "runner/search/forecast.hpp"
 
 namespace mpmstudy {
 

@@ -8,38 +8,29 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
-#include <set>
-#include <sstream>
 #include <string_view>
-#include <unordered_set>
 
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/file_system.hpp"
-#include "runner/catalog/query.hpp"
 #include "runner/catalog/reader.hpp"
-#include "runner/catalog/stored_jobs.hpp"
 #include "runner/cli/amounts.hpp"
-#include "runner/cli/ask.hpp"
 #include "runner/cli/job_labels.hpp"
 #include "runner/cli/last_run.hpp"
 #include "runner/cli/print_failures.hpp"
 #include "runner/cli/print_results.hpp"
 #include "runner/cli/print_search.hpp"
+#include "runner/cli/run_intent.hpp"
+#include "runner/cli/run_plan.hpp"
 #include "runner/cli/run_slurm.hpp"
 #include "runner/exec/git_revision.hpp"
-#include "runner/exec/processors.hpp"
-#include "runner/exec/run_search.hpp"
 #include "runner/exec/run_studies.hpp"
 #include "runner/exec/signals.hpp"
-#include "runner/plan/warnings.hpp"
 #include "runner/status/label.hpp"
-#include "runner/status/rounds.hpp"
 #include "runner/status/terminal_status.hpp"
 
 namespace mpmstudy {
@@ -71,53 +62,6 @@ std::unique_ptr<Status> make_status(const RunOptions& options, const JobLabels& 
   plain.quiet = options.quiet;
   plain.label = label;
   return make_plain_status(std::cout, plain);
-}
-
-/// --dry-run: what a run would do. Writes nothing, and needs no catalog.
-int print_intent(const RunOptions& options, const std::vector<Study>& studies,
-                 const std::vector<PlannedStudy>& planned, const CostModel& cost, const JobLabels& labels) {
-  std::map<std::string, std::string> known;
-  if (has_catalog(options.results))
-    for (const auto& row : query(options.results, "SELECT DISTINCT key, status FROM jobs").rows)
-      known[std::get<std::string>(row[0])] = std::get<std::string>(row[1]);
-  std::vector<Job> jobs;
-  std::map<std::string, std::int64_t> kept;
-  std::set<std::string> seen;
-  double seconds = 0;
-  for (const auto& study : planned)
-    for (const auto& job : jobs_to_run(study)) {
-      if (!seen.insert(job.key).second) continue;
-      const auto status = known.contains(job.key) ? known[job.key] : "planned";
-      if (status == "done" || (status == "failed" && !options.retry_failed)) {
-        ++kept[status];
-        continue;
-      }
-      jobs.push_back(job);
-      seconds += job.predicted_seconds;
-    }
-  std::ranges::stable_sort(jobs, std::ranges::greater{}, &Job::predicted_seconds);
-  for (const auto& job : jobs)
-    fmt::print("{}\n", cut_text(fmt::format("{}  {} particles, {} steps, {}  {}", short_key(job.key),
-                                            job.estimate.particles, job.estimate.steps,
-                                            readable_duration(job.predicted_seconds), labels(job)),
-                                line_columns));
-  auto count = static_cast<std::int64_t>(jobs.size());
-  bool about = false;
-  for (const auto& study : studies) {
-    if (!study.search || !options.only.empty()) continue;
-    const SearchForecast forecast = forecast_search(study, options.results, options.retry_failed);
-    fmt::print("{}: {}\n", study.name, readable_forecast(study, forecast));
-    for (const auto& round : forecast.rounds)
-      for (const auto& scene : round) seconds += cost.seconds(mpm::estimate(scene));
-    count += forecast.runs;
-    about |= forecast.runs > 0;
-  }
-  fmt::print("{}{} would run, about {} of one core; {} done already{}\n", about ? "about " : "",
-             counted(count, "job"), readable_duration(seconds), kept["done"],
-             kept["failed"] > 0 ? fmt::format(", {} failed before: only --retry-failed runs {} again",
-                                              kept["failed"], kept["failed"] == 1 ? "it" : "them")
-                                : "");
-  return exit_ok;
 }
 
 /// Fits and figures of every study; false if one could not be finished.
@@ -171,65 +115,6 @@ ExecutorOptions executor_options(const RunOptions& options) {
   return executor;
 }
 
-/// Keys of jobs from a file, separated by blanks or ends of lines: key -> line. Throws StudyError.
-std::map<std::string, int> read_keys(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw StudyError(path + ": cannot be read; --only names a file of keys, one per line");
-  std::map<std::string, int> keys;
-  int number = 1;
-  for (std::string line; std::getline(file, line); ++number) {
-    std::istringstream words(line);
-    for (std::string key; words >> key;) keys.emplace(key, number);
-  }
-  if (keys.empty()) throw StudyError(path + ": holds no key; --only names a file of keys, one per line");
-  return keys;
-}
-
-/// Has only the jobs run whose keys are in a file. Throws StudyError naming those that no study has.
-void choose(const std::string& path, const std::map<std::string, int>& lines,
-            std::vector<PlannedStudy>& planned) {
-  std::unordered_set<std::string> keys, known;
-  for (const auto& [key, line] : lines) keys.insert(key);
-  std::string names;
-  for (auto& study : planned) {
-    study.selection.keys = keys;
-    for (const auto& job : jobs_to_run(study)) known.insert(job.key);
-    names += (names.empty() ? "" : ", ") + study.plan.study;
-  }
-  std::string unknown;
-  std::size_t more = 0;
-  for (const auto& [key, line] : lines) {
-    if (known.contains(key)) continue;
-    if (++more <= 5) unknown += fmt::format("{}:{}: {}\n", path, line, key);
-  }
-  if (more > 5) unknown += fmt::format("and {} more\n", more - 5);
-  if (more > 0)
-    throw StudyError(unknown + "not a key of a job of " + names +
-                     " as its file and the options are now; `mpmstudy plan --json` lists the keys, of 32 "
-                     "hexadecimal digits");
-}
-
-StudySource source_of(const Study& study, const StudyOptions& options) {
-  return {std::filesystem::absolute(study.path).lexically_normal().string(), options.set, options.cells};
-}
-
-/// "5 %", "5%" or "0.05". Throws StudyError.
-double share_of(const std::string& text) {
-  std::size_t end = 0;
-  double share = -1;
-  try {
-    share = std::stod(text, &end);
-  } catch (const std::exception&) {
-    end = 0;
-  }
-  std::string rest = text.substr(std::min(end, text.size()));
-  std::erase(rest, ' ');
-  if (rest == "%") share /= 100;
-  if (end == 0 || (!rest.empty() && rest != "%") || !(share >= 0 && share <= 1))
-    throw StudyError("--audit: " + text + ": not a share; write for example --audit \"5 %\"");
-  return share;
-}
-
 /// A runner that says nothing for twelve periods is taken for gone where nobody can look for its process.
 void set_heartbeat(const RunOptions& options, WriterOptions& writer) {
   const double period_s = read_duration("--heartbeat", options.heartbeat);
@@ -238,83 +123,20 @@ void set_heartbeat(const RunOptions& options, WriterOptions& writer) {
   writer.store.heartbeat_expires_s = 12 * period_s;
 }
 
-SearchOptions from(StudySource source, SearchOptions search) {
-  search.source = std::move(source);
-  return search;
-}
-
 /// One job array per study.
 int submit_studies(const RunOptions& options, const std::vector<Study>& studies,
-                   const std::vector<PlannedStudy>& planned, const SearchOptions& search,
-                   const RunSeams& seams) {
+                   const std::vector<PlannedStudy>& planned, const RunSeams& seams) {
   int code = exit_ok;
-  auto next = planned.begin();
-  for (const auto& study : studies)
-    code = std::max(code, study.search ? search_on_slurm(options, study,
-                                                         from(source_of(study, options.study), search), seams)
-                                       : run_on_slurm(options, study, *next++, seams));
+  for (std::size_t i = 0; i < studies.size(); ++i)
+    code = std::max(code, run_on_slurm(options, studies[i], planned[i], seams));
   return code;
-}
-
-/// Says what the studies should know, and asks where they take more than this machine has. A search counts
-/// with its points at their lower end. Who gives keys (--only) has decided already.
-void warn_and_ask(const RunOptions& options, const std::vector<Study>& studies,
-                  const std::vector<PlannedStudy>& planned, const CostModel& cost) {
-  std::set<std::string> done;
-  if (std::filesystem::exists(catalog_path(options.results))) try {
-      for (const auto& row :
-           query(options.results, "SELECT DISTINCT key FROM jobs WHERE status = 'done'").rows)
-        done.insert(std::get<std::string>(row[0]));
-    } catch (const CatalogError&) {  // of an older program, or damaged: opening it to write sees to that
-    }
-  std::vector<Job> left;
-  std::set<std::string> seen;
-  auto next = planned.begin();
-  for (const Study& study : studies) {
-    const Plan plan = study.search ? make_plan(study, cost) : next->plan;
-    if (!study.search) ++next;
-    print_warnings(warnings_of(study, plan));
-    for (const Job& job : first_jobs(plan))
-      if (!done.contains(job.key) && !done.contains(former_key(job.scene)) && seen.insert(job.key).second)
-        left.push_back(job);
-  }
-  if (options.study.yes || options.dry_run || left.empty()) return;
-  if (options.engine ==
-      "slurm") {  // memory and processors are another machine's; the longest job takes its time
-    const double longest = std::ranges::max_element(left, {}, &Job::predicted_seconds)->predicted_seconds;
-    ask(too_much({0, longest}, std::nullopt));
-    return;
-  }
-  ask(too_much(demand_of(left, options.workers > 0 ? options.workers : usable_processors()), free_memory()));
-}
-
-/// Plans of the studies that are no search; with --only, of what a search may ask for too.
-std::vector<PlannedStudy> plan_studies(const RunOptions& options, const std::vector<Study>& studies,
-                                       const CostModel& cost) {
-  std::vector<PlannedStudy> planned;
-  const auto keys = options.only.empty() ? std::map<std::string, int>() : read_keys(options.only);
-  for (Study study : studies) {
-    if (study.search && options.only.empty()) continue;
-    if (study.search)
-      study.scenes = possible_scenes(study, [&](const std::string& key) { return keys.contains(key); });
-    planned.push_back({make_plan(study, cost), study.title, source_of(study, options.study), {}});
-    if (options.only.empty()) continue;
-    auto& members = planned.back().selection.members;
-    if (study.search || options.shard)
-      members = Members::also;
-    else if (!planned.back().plan.ladders.empty())
-      members = Members::at_least;
-  }
-  if (!options.only.empty()) choose(options.only, keys, planned);
-  return planned;
 }
 
 void say_what_is_replaced(const std::vector<Study>& studies, const std::vector<PlannedStudy>& planned,
                           const RunOptions& options) {
-  auto next = planned.begin();
-  for (const Study& study : studies)
-    say_what_is_replaced(study, study.search ? nullptr : &(next++)->plan, options.study, options.results,
-                         options.dry_run);
+  for (std::size_t i = 0; i < studies.size(); ++i)
+    say_what_is_replaced(studies[i], studies[i].search ? nullptr : &planned[i].plan, options.study,
+                         options.results, options.dry_run);
 }
 
 }  // namespace
@@ -395,13 +217,12 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   refuse_idle_options(options, studies);
   check_names(studies);
   const CostModel cost(measured_costs(options.results));
-  const SearchOptions search_options{cost, options.retry_failed, share_of(options.audit), {}};
   const auto planned = plan_studies(options, studies, cost);
   if (options.only.empty()) say_what_is_replaced(studies, planned, options);
   if (const auto note = share_note(options.results); !note.empty() && !options.dry_run)
     fmt::print(stderr, "{}\n", note);
   if (options.only.empty()) warn_and_ask(options, studies, planned, cost);
-  if (options.engine == "slurm") return submit_studies(options, studies, planned, search_options, seams);
+  if (options.engine == "slurm") return submit_studies(options, studies, planned, seams);
   JobLabels labels(studies);
   add_labels(labels, studies, planned);
   if (options.dry_run) return print_intent(options, studies, planned, cost, labels);
@@ -413,36 +234,26 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   set_heartbeat(options, writer_options);
   CatalogWriter writer(options.results, writer_options);
   const auto status = make_status(options, labels);
-  std::map<std::string, SearchReport> searches;  // by name of the study
+  ThreadWorkers workers(seams.simulate, seams.write_snapshot, writer, *status, signal_flag(), executor);
+  const EngineOptions engine{
+      options.results, options.retry_failed,
+      [&](std::size_t study, const std::vector<Job>& jobs) { labels.add(jobs, study); }};
   RunReport report;
-  int code = exit_ok;
   try {
-    if (!planned.empty())
-      report = run_studies(planned, options.retry_failed, writer, *status, seams.simulate,
-                           seams.write_snapshot, signal_flag(), executor);
-    for (std::size_t i = 0; i < studies.size(); ++i) {
-      const Study& study = studies[i];
-      if (!study.search || !options.only.empty() || report.left() > 0) continue;
-      labels.set_current(i);
-      Rounds rounds(*status);
-      SearchReport search = run_search(study, from(source_of(study, options.study), search_options), writer,
-                                       rounds, seams.simulate, seams.write_snapshot, signal_flag(), executor);
-      rounds.close();
-      report += search.run;
-      code = std::max(code, search.exit_code());
-      if (search.run.left() > 0)
-        fmt::print(stderr, "{}: the search is not at its end; run again to go on\n", study.name);
-      searches.emplace(study.name, std::move(search));
-    }
+    report = run_studies(planned, writer, workers, *status, signal_flag(), engine);
   } catch (const CatalogError& error) {  // on the way, so there is work left
     fmt::print(stderr, "{}\nrun again to go on\n", error.what());
     return exit_stopped;
   }
   const bool whole = report.left() == 0 && options.only.empty();
   const bool good = !whole || finish_studies(studies, options, seams, writer);
-  if (whole) print_studies(studies, searches, options.results, options.quiet);
+  if (report.left() > 0)
+    for (const Study& study : studies)
+      if (study.search && options.only.empty() && !report.searches.contains(study.name))
+        fmt::print(stderr, "{}: the search is not at its end; run again to go on\n", study.name);
+  if (whole) print_studies(studies, report.searches, options.results, options.quiet);
   fmt::print("catalog: {}\n", catalog_path(options.results).string());
-  code = std::max(code, report.exit_code());
+  const int code = report.exit_code();
   return code == exit_ok && !good ? exit_failed : code;
 }
 

@@ -8,8 +8,9 @@
 #include <filesystem>
 #include <random>
 
+#include "runner/catalog/answers.hpp"
 #include "runner/catalog/connection.hpp"
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/job_states.hpp"
 #include "runner/catalog/timestamp.hpp"
 #include "runner/cli/amounts.hpp"
 #include "runner/cli/merge.hpp"
@@ -17,7 +18,7 @@
 #include "runner/cli/print_results.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/exec/git_revision.hpp"
-#include "runner/ladder/climbs.hpp"
+#include "runner/exec/signals.hpp"
 #include "runner/slurm/queue.hpp"
 #include "runner/slurm/shards.hpp"
 #include "runner/slurm/submit.hpp"
@@ -91,16 +92,6 @@ void check_scripts(const RunOptions& options) {
     throw StudyError("--results " + results + ": " + wrong);
 }
 
-/// Keys of the catalog's jobs that are in one of these states. Without a catalog: none.
-std::set<std::string> keys_with(const std::string& results, const std::string& states) {
-  std::set<std::string> keys;
-  if (has_catalog(results))
-    for (const auto& row :
-         query(results, "SELECT DISTINCT key FROM jobs WHERE status IN (" + states + ")").rows)
-      keys.insert(std::get<std::string>(row[0]));
-  return keys;
-}
-
 void print_shards(const SlurmScripts& scripts, const std::vector<Shard>& shards) {
   std::size_t jobs = 0;
   double longest = 0, sum = 0;
@@ -142,19 +133,22 @@ Standing standing_of(const RunOptions& options, const std::vector<Job>& jobs,
   }
   const auto queued = queued_keys(submissions);
   // A dry run has not planned failed jobs again, nor those of a process that is gone.
-  const auto decided =
-      keys_with(options.results, options.dry_run && options.retry_failed ? "'done'" : "'done', 'failed'");
-  const auto running = options.dry_run ? std::set<std::string>{} : keys_with(options.results, "'running'");
+  const auto states = job_states(options.results);
+  const auto is = [&](const Job& job, JobStatus status) {
+    const auto found = states.find(job.key);
+    return found != states.end() && found->second == status;
+  };
+  const bool tries_again = options.dry_run && options.retry_failed;
   Standing standing;
   for (const auto& job : jobs) {
-    if (decided.contains(job.key)) continue;
+    if (is(job, JobStatus::done) || (is(job, JobStatus::failed) && !tries_again)) continue;
     if (doubtful.contains(job.key))
       ++standing.doubtful;
     else if (unmerged.contains(job.key))
       ++standing.unmerged;
     else if (queued.contains(job.key))
       ++standing.queued;
-    else if (running.contains(job.key))
+    else if (!options.dry_run && is(job, JobStatus::running))
       ++standing.elsewhere;
     else
       standing.to_submit.push_back(&job);
@@ -285,19 +279,27 @@ int submit_jobs(const RunOptions& options, const Study& study, const std::vector
   return exit_stopped;
 }
 
-/// What is left of a study once it is registered: its open jobs, or the next ones of its ladders.
-std::vector<Job> open_jobs(const PlannedStudy& planned, const RunOptions& options, CatalogWriter& writer,
-                           Registration& registered) {
-  auto jobs = first_jobs(planned.plan);
-  registered =
-      writer.register_study(planned.plan.study, planned.title, jobs, options.retry_failed, planned.source);
-  if (registered.to_run.empty() && registered.running_elsewhere == 0) {
-    Climbs climbs(writer, options.results, options.retry_failed);
-    climbs.add(planned.plan);
-    return climbs.next();
+/// A queue runs the jobs: they are submitted, and left.
+class SlurmWorkers : public Workers {
+ public:
+  SlurmWorkers(const RunOptions& options, const Study& study, const std::vector<Submission>& submissions)
+      : options_(options), study_(study), submissions_(submissions) {}
+
+  ExecutorReport run(std::vector<Job> jobs, const std::function<void(const ExecutorReport&)>&) override {
+    exit_code_ = submit_jobs(options_, study_, jobs, submissions_);
+    ExecutorReport report;
+    report.untouched = std::ssize(jobs);
+    return report;
   }
-  return jobs;
-}
+  unsigned count(std::size_t jobs) const override { return static_cast<unsigned>(jobs); }
+  int exit_code() const { return exit_code_; }
+
+ private:
+  const RunOptions& options_;
+  const Study& study_;
+  const std::vector<Submission>& submissions_;
+  int exit_code_ = exit_ok;
+};
 
 /// Fits and figures; false if one could not be finished.
 bool finish_one(const Study& study, const RunOptions& options, const RunSeams& seams, CatalogWriter& writer) {
@@ -315,33 +317,10 @@ bool finish_one(const Study& study, const RunOptions& options, const RunSeams& s
 int run_on_slurm(const RunOptions& options, const Study& study, const PlannedStudy& planned,
                  const RunSeams& seams) {
   check_scripts(options);
-  if (options.dry_run)
-    return submit_jobs(options, study, first_jobs(planned.plan), read_submissions(options.results));
-  const SubmitLock lock(options.results);
-  auto submissions = read_submissions(options.results);
-  const int tended = tend(options, study, submissions);
-  std::erase_if(submissions, [](const Submission& s) { return is_closed(s.folder); });
-  WriterOptions writer_options;
-  writer_options.store.git_revision = git_revision();
-  CatalogWriter writer(options.results, writer_options);
-  Registration registered;
-  const auto jobs = open_jobs(planned, options, writer, registered);
-  if (!jobs.empty()) return std::max(tended, submit_jobs(options, study, jobs, submissions));
-  fmt::print("{}: {} done, {} failed, none left\n", study.name, registered.done, registered.failed);
-  const bool good = finish_one(study, options, seams, writer);
-  if (!options.quiet) fmt::print("{}\n", results_text(study, options.results));
-  // A shard that could not be taken over is told by the exit code, too; what Slurm still holds is of no use.
-  return !good || registered.failed > 0 || tended == exit_failed ? exit_failed : exit_ok;
-}
-
-int search_on_slurm(const RunOptions& options, const Study& study, const SearchOptions& search,
-                    const RunSeams& seams) {
-  check_scripts(options);
   if (options.dry_run) {
-    Search first(study);
-    Study round = study;
-    round.scenes = first.next_round();
-    return submit_jobs(options, study, make_plan(round, search.cost).jobs, read_submissions(options.results));
+    const CatalogAnswers known(options.results);
+    return submit_jobs(options, study, jobs_wanted(planned, RunAnswers(known, options.retry_failed)),
+                       read_submissions(options.results));
   }
   const SubmitLock lock(options.results);
   auto submissions = read_submissions(options.results);
@@ -350,25 +329,22 @@ int search_on_slurm(const RunOptions& options, const Study& study, const SearchO
   WriterOptions writer_options;
   writer_options.store.git_revision = git_revision();
   CatalogWriter writer(options.results, writer_options);
-  int code = exit_ok;
-  const RunRound submit_round = [&](const PlannedStudy& planned) {
-    RunReport report;
-    Registration registered;
-    const auto jobs = open_jobs(planned, options, writer, registered);
-    report.reused = registered.done;
-    report.left_failed = registered.failed;
-    report.executed.untouched =
-        static_cast<std::int64_t>(registered.to_run.size()) + registered.running_elsewhere;
-    if (report.left() > 0) code = std::max(tended, submit_jobs(options, study, jobs, submissions));
-    return report;
-  };
-  const SearchReport report = run_search(study, search, writer, options.results, submit_round);
-  if (report.run.left() > 0) return code;
+  SlurmWorkers workers(options, study, submissions);
+  Status silent;
+  const RunReport report = run_studies(std::span(&planned, 1), writer, workers, silent, signal_flag(),
+                                       {options.results, options.retry_failed, {}});
+  if (report.left() > 0) return std::max(tended, workers.exit_code());
   const bool good = finish_one(study, options, seams, writer);
-  fmt::print("\n{}: {}\n", study.name, study.title);
-  print_search(study, report);
-  fmt::print("{}{}", failures_text(study, options.results), fits_text(study, options.results));
-  return !good || tended == exit_failed ? std::max(exit_failed, report.exit_code()) : report.exit_code();
+  if (const auto search = report.searches.find(study.name); search != report.searches.end()) {
+    fmt::print("\n{}: {}\n", study.name, study.title);
+    print_search(study, search->second);
+    fmt::print("{}{}", failures_text(study, options.results), fits_text(study, options.results));
+  } else {
+    fmt::print("{}: {} done, {} failed, none left\n", study.name, report.reused, report.left_failed);
+    if (!options.quiet) fmt::print("{}\n", results_text(study, options.results));
+  }
+  // A shard that could not be taken over is told by the exit code, too; what Slurm still holds is of no use.
+  return !good || tended == exit_failed ? exit_failed : report.exit_code();
 }
 
 }  // namespace mpmstudy

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "runner/cli/run.hpp"
-#include "runner/exec/run_search.hpp"
+#include "runner/exec/run_studies.hpp"
 
 namespace mpmstudy {
 
@@ -13,9 +13,7 @@ namespace mpmstudy {
 /// over. exit_ok when all that is left is in the queue for sure, or nothing is left; exit_failed when all is
 /// decided and some jobs failed; exit_stopped when work is left that is not in the queue for sure: --rounds
 /// are over, sbatch refuses, Slurm does not answer.
+/// Of a search, and of ladders that climb, each submission is one round, and its merge submits the next.
 int run_on_slurm(const RunOptions&, const Study&, const PlannedStudy&, const RunSeams&);
-
-/// The same for a study with [search]: each submission is one round of it, and its merge submits the next.
-int search_on_slurm(const RunOptions&, const Study&, const SearchOptions&, const RunSeams&);
 
 }  // namespace mpmstudy

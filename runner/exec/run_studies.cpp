@@ -1,57 +1,17 @@
 #include "runner/exec/run_studies.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
-#include <functional>
-#include <thread>
+#include <deque>
+#include <iterator>
 #include <unordered_set>
 
-#include "runner/ladder/climbs.hpp"
+#include "runner/catalog/answers.hpp"
+#include "runner/search/bracket_rows.hpp"
 
 namespace mpmstudy {
 namespace {
-
-/// Of a search only what is chosen: which of its possible jobs are its own is for the search to say. Of a
-/// ladder, the finer cells that are chosen, too.
-std::vector<Job> jobs_to_register(const PlannedStudy& study) {
-  if (study.selection.members == Members::also) return jobs_to_run(study);
-  auto jobs = first_jobs(study.plan);
-  if (!study.selection.keys) return jobs;
-  std::unordered_set<std::string> known;
-  for (const auto& job : jobs) known.insert(job.key);
-  for (auto& job : jobs_to_run(study))
-    if (!known.contains(job.key)) jobs.push_back(std::move(job));
-  return jobs;
-}
-
-/// Registers every study; gives back the jobs to run, each key once.
-std::vector<Job> register_all(std::span<const PlannedStudy> studies, bool retry_failed, CatalogWriter& writer,
-                              RunReport& report, RunStart& start) {
-  std::vector<Job> to_run;
-  std::unordered_set<std::string> seen;
-  for (const auto& study : studies) {
-    const auto jobs = jobs_to_register(study);
-    const auto registered = writer.register_study(study.plan.study, study.title, jobs, retry_failed,
-                                                  study.source, study.selection);
-    start.taken_up += registered.taken_up;
-    start.damaged += registered.damaged;
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-      if (!study.selection.has(jobs[i].key) || !seen.insert(jobs[i].key).second) continue;
-      switch (registered.states[i]) {
-        case JobStatus::done:
-          ++report.reused;
-          break;
-        case JobStatus::failed:
-          ++report.left_failed;
-          break;
-        default:  // running by another process: until that one is done with it, or gone
-          to_run.push_back(jobs[i]);
-          start.predicted_seconds += jobs[i].predicted_seconds;
-      }
-    }
-  }
-  return to_run;
-}
 
 ExecutorReport sum_of(ExecutorReport sum, const ExecutorReport& more) {
   sum.done += more.done;
@@ -68,31 +28,11 @@ ExecutorReport sum_of(ExecutorReport sum, const ExecutorReport& more) {
   return sum;
 }
 
-/// Finer cells under the jobs that an accuracy was asked of, a round of all ladders at a time.
-void climb_ladders(std::span<const PlannedStudy> studies, bool retry_failed, CatalogWriter& writer,
-                   Status& status, RunReport& report,
-                   const std::function<ExecutorReport(std::vector<Job>)>& execute,
-                   const std::filesystem::path& results) {
-  Climbs climbs(writer, results, retry_failed);
-  for (const auto& study : studies)
-    if (!study.selection.keys) climbs.add(study.plan);  // who chooses jobs knows what they are for
-  while (report.left() == 0) {
-    auto jobs = climbs.next();
-    if (jobs.empty()) break;
-    status.jobs_added(static_cast<std::int64_t>(jobs.size()), cpu_seconds(jobs));
-    report.executed = sum_of(report.executed, execute(std::move(jobs)));
-  }
-  report.reused += climbs.reused();
-  report.left_failed += climbs.left_failed();
-}
-
-/// How far off the prediction for these studies may be: of several, the one that is worst known.
-double predicted_factor(std::span<const PlannedStudy> studies) {
-  double factor = 1;
-  for (const auto& study : studies)
-    if (const auto cost = total_cost(study.plan.cost, jobs_to_run(study)); cost.interval)
-      factor = std::max(factor, cost.interval->high / cost.seconds);
-  return factor;
+/// How far off the prediction for these jobs may be.
+double predicted_factor(const CostModel& cost, const std::vector<Job>& jobs) {
+  if (jobs.empty()) return 1;
+  const auto total = total_cost(cost, jobs);
+  return total.interval ? total.interval->high / total.seconds : 1;
 }
 
 std::string stop_reason(const RunReport& report) {
@@ -104,76 +44,210 @@ std::string stop_reason(const RunReport& report) {
   return "another run has changed the study";
 }
 
-RunEnd end_of(const RunReport& report, double predicted_factor, std::chrono::steady_clock::time_point begin) {
-  const ExecutorReport& executed = report.executed;
-  RunEnd end;
-  end.done = executed.done + executed.done_elsewhere;
-  end.failed = executed.failed + executed.failed_elsewhere + report.left_failed;
-  end.reused = report.reused;
-  end.left = report.left();
-  end.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (executed.cpu_s > 0) end.updates_per_second = executed.updates / executed.cpu_s;
-  end.predicted_s = executed.predicted_s;
-  end.predicted_factor = predicted_factor;
-  end.cpu_s = executed.cpu_s;
-  end.stop_reason = stop_reason(report);
-  return end;
-}
+/// The audit of a search that has ended: what was sampled, and its study.
+struct AuditRun {
+  std::string search, outcome;  ///< name, what it looks for
+  std::vector<AuditedRun> runs;
+};
+
+class Engine {
+ public:
+  Engine(std::span<const PlannedStudy> studies, CatalogWriter& writer, Workers& workers, Status& status,
+         StopFlag& flag, const EngineOptions& options)
+      : writer_(writer),
+        workers_(workers),
+        status_(status),
+        flag_(flag),
+        options_(options),
+        known_(options.results),
+        answers_(known_, options.retry_failed) {
+    for (const PlannedStudy& study : studies) add(study, runs_.size());
+    if (studies.size() == 1) start_.study = studies[0].plan.study;
+  }
+
+  RunReport run() {
+    // Planners go on at once where all that they want is decided already.
+    for (bool wanted = true; wanted && report_.left() == 0;) {
+      std::vector<Job> to_run;
+      wanted = ask_all(to_run);
+      if (!started_) start(to_run);
+      if (to_run.empty()) continue;
+      report_.signal = flag_.signal();
+      if (report_.signal != 0)
+        report_.executed.untouched += std::ssize(to_run);
+      else
+        execute(std::move(to_run));
+    }
+    if (report_.left() == 0) close_audits();
+    report_.signal = flag_.signal();
+    status_.run_finished(end());
+    return std::move(report_);
+  }
+
+ private:
+  void add(PlannedStudy study, std::size_t place) {
+    runs_.emplace_back(std::move(study));
+    places_.push_back(place);
+  }
+
+  /// False if no study wants any more.
+  bool ask_all(std::vector<Job>& to_run) {
+    bool any = false;
+    double seconds = 0;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {  // audits are added on the way
+      any |= ask(i, to_run, seconds);
+      const SearchPlanner* search = runs_[i].search();
+      const std::string& name = runs_[i].study().plan.study;
+      if (search && search->ended() && !report_.searches.contains(name)) any |= close(runs_[i], places_[i]);
+    }
+    if (started_ && !to_run.empty()) status_.jobs_added(std::ssize(to_run), seconds);
+    return any;
+  }
+
+  bool ask(std::size_t place, std::vector<Job>& to_run, double& seconds) {
+    StudyRun& run = runs_[place];
+    const Entered entered = run.advance(answers_, writer_);
+    if (options_.on_wanted) options_.on_wanted(places_[place], entered.jobs);
+    start_.taken_up += entered.taken_up;
+    start_.damaged += entered.damaged;
+    std::vector<Job> own;
+    for (std::size_t i = 0; i < entered.jobs.size(); ++i) {
+      const Job& job = entered.jobs[i];
+      if (!run.study().selection.has(job.key) || !seen_.insert(job.key).second) continue;
+      switch (entered.states[i]) {
+        case JobStatus::done:
+          ++report_.reused;
+          break;
+        case JobStatus::failed:
+          ++report_.left_failed;
+          break;
+        default:  // running by another process: until that one is done with it, or gone
+          own.push_back(job);
+      }
+    }
+    if (!started_) {
+      start_.predicted_factor =
+          std::max(start_.predicted_factor, predicted_factor(run.study().plan.cost, own));
+      start_.predicted_seconds += cpu_seconds(own);
+    }
+    seconds += cpu_seconds(own);
+    std::ranges::move(own, std::back_inserter(to_run));
+    return !entered.jobs.empty();
+  }
+
+  /// A search has ended: its brackets, and what its audit runs. True if that is anything.
+  bool close(const StudyRun& run, std::size_t place) {
+    const SearchPlanner& search = *run.search();
+    const PlannedStudy& study = run.study();
+    SearchReport& report = report_.searches[study.plan.study];
+    report.brackets = search.brackets();
+    writer_.replace_brackets(study.plan.study, bracket_rows(*study.search, report.brackets));
+    if (!(study.audit > 0)) return false;
+    AuditSample sample = audit_sample(search.jobs(), study.audit, study.plan.cost, answers_);
+    report.audit.early = sample.early;
+    if (sample.runs.empty()) return false;
+    PlannedStudy whole{{study.plan.study + "-audit", {}, {}, {}, study.plan.cost},
+                       study.title + ", runs that stopped early run to their end",
+                       study.source};
+    for (const AuditedRun& one : sample.runs) whole.plan.jobs.push_back(one.whole);
+    audits_.push_back({study.plan.study, study.search->search->outcome, std::move(sample.runs)});
+    add(std::move(whole), place);
+    return true;
+  }
+
+  void close_audits() {
+    for (const AuditRun& audit : audits_) {
+      Audit& found = report_.searches[audit.search].audit;
+      for (const auto& [early, whole] : audit.runs) {
+        const auto said = known_.of(early), says = known_.of(whole.key);
+        if (!said || !says) continue;  // another run has taken them away
+        ++found.audited;
+        if ((said->outcome == audit.outcome) != (says->outcome == audit.outcome))
+          found.disagreeing.push_back(early);
+      }
+    }
+  }
+
+  void start(const std::vector<Job>& to_run) {
+    started_ = true;
+    writer_.sweep_files();
+    start_.jobs = std::ssize(to_run);
+    start_.reused = report_.reused;
+    start_.left_failed = report_.left_failed;
+    start_.workers = workers_.count(to_run.size());
+    status_.run_started(start_);
+  }
+
+  void execute(std::vector<Job> to_run) {
+    std::vector<std::string> keys;
+    for (const Job& job : to_run) keys.push_back(job.key), answers_.tried(job.key);
+    const ExecutorReport before = report_.executed;
+    report_.executed = sum_of(before, workers_.run(std::move(to_run), [&](const ExecutorReport& executed) {
+      report_.executed = sum_of(before, executed);
+      report_.signal = flag_.signal();
+      status_.run_finished(end());
+    }));
+    if (report_.left() > 0) return;
+    // One that is not decided was taken out of its study by another run meanwhile.
+    report_.executed.untouched +=
+        std::ranges::count_if(keys, [&](const std::string& key) { return !known_.of(key); });
+  }
+
+  RunEnd end() const {
+    const ExecutorReport& executed = report_.executed;
+    RunEnd end;
+    end.done = executed.done + executed.done_elsewhere;
+    end.failed = executed.failed + executed.failed_elsewhere + report_.left_failed;
+    end.reused = report_.reused;
+    end.left = report_.left();
+    end.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    if (executed.cpu_s > 0) end.updates_per_second = executed.updates / executed.cpu_s;
+    end.predicted_s = executed.predicted_s;
+    end.predicted_factor = start_.predicted_factor;
+    end.cpu_s = executed.cpu_s;
+    end.stop_reason = stop_reason(report_);
+    return end;
+  }
+
+  CatalogWriter& writer_;
+  Workers& workers_;
+  Status& status_;
+  StopFlag& flag_;
+  const EngineOptions& options_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  CatalogAnswers known_;
+  RunAnswers answers_;
+  std::deque<StudyRun> runs_;        ///< those given, then audits
+  std::vector<std::size_t> places_;  ///< of each: of the study that was given, or whose search it audits
+  std::vector<AuditRun> audits_;
+  std::unordered_set<std::string> seen_;  ///< keys
+  RunStart start_;
+  RunReport report_;
+  bool started_ = false;
+};
 
 }  // namespace
 
-RunReport& RunReport::operator+=(const RunReport& next) {
-  executed = sum_of(std::move(executed), next.executed);
-  reused += next.reused;
-  left_failed += next.left_failed;
-  signal = next.signal != 0 ? next.signal : signal;
-  return *this;
-}
-
-std::vector<Job> jobs_to_run(const PlannedStudy& study) {
-  if (!study.selection.keys) return first_jobs(study.plan);
-  auto jobs = all_jobs(study.plan);
-  std::erase_if(jobs, [&](const Job& job) { return !study.selection.has(job.key); });
-  return jobs;
+std::int64_t SearchReport::not_found() const {
+  return std::ranges::count_if(brackets, [](const FoundBracket& b) { return !b.lower; });
 }
 
 int RunReport::exit_code() const {
   if (left() > 0) return signal == SIGINT ? 130 : 75;
-  return executed.failed + executed.failed_elsewhere + left_failed > 0 ? 1 : 0;
+  const bool found = std::ranges::all_of(searches, [](const auto& s) { return s.second.not_found() == 0; });
+  return found && executed.failed + executed.failed_elsewhere + left_failed == 0 ? 0 : 1;
+}
+
+RunReport run_studies(std::span<const PlannedStudy> studies, CatalogWriter& writer, Workers& workers,
+                      Status& status, StopFlag& flag, const EngineOptions& options) {
+  return Engine(studies, writer, workers, status, flag, options).run();
 }
 
 RunReport run_studies(std::span<const PlannedStudy> studies, bool retry_failed, CatalogWriter& writer,
                       Status& status, const Simulate& simulate, const WriteSnapshot& write, StopFlag& flag,
                       const ExecutorOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  RunReport report;
-  RunStart start;
-  auto jobs = register_all(studies, retry_failed, writer, report, start);
-  writer.sweep_files();
-  if (studies.size() == 1) start.study = studies[0].plan.study;
-  start.jobs = static_cast<std::int64_t>(jobs.size());
-  start.reused = report.reused;
-  start.left_failed = report.left_failed;
-  start.workers = worker_count(options, jobs.size());
-  start.predicted_factor = predicted_factor(studies);
-  status.run_started(start);
-
-  ExecutorOptions with_end = options;
-  if (options.abandon)
-    with_end.abandon = [&](const ExecutorReport& executed) {
-      report.executed = sum_of(report.executed, executed);
-      report.signal = flag.signal();
-      status.run_finished(end_of(report, start.predicted_factor, begin));
-      options.abandon(executed);
-    };
-  const auto execute = [&](std::vector<Job> some) {
-    return execute_jobs(std::move(some), simulate, write, writer, status, flag, with_end);
-  };
-  report.executed = execute(std::move(jobs));
-  climb_ladders(studies, retry_failed, writer, status, report, execute, options.results);
-  report.signal = flag.signal();
-  status.run_finished(end_of(report, start.predicted_factor, begin));
-  return report;
+  ThreadWorkers workers(simulate, write, writer, status, flag, options);
+  return run_studies(studies, writer, workers, status, flag, {options.results, retry_failed, {}});
 }
 
 }  // namespace mpmstudy

@@ -1,10 +1,10 @@
 #pragma once
 /// When a ladder of cells is high enough. Pure.
+#include <optional>
 #include <span>
-#include <vector>
+#include <string>
 
 #include "analysis/extrapolation.hpp"
-#include "runner/ladder/measured.hpp"
 #include "runner/study/ladder_request.hpp"
 
 namespace mpmstudy {
@@ -19,6 +19,12 @@ double accuracy_scale(const std::string& quantity, double value);
 /// The half width that a request with an accuracy wants of its quantity.
 double wanted_error(const LadderRequest&, double value);
 
+/// One rung of a ladder as far as it is known.
+struct RungState {
+  bool decided = false;                        ///< done or failed
+  std::optional<analysis::LadderPoint> point;  ///< empty: not done, or it does not show the quantity
+};
+
 enum class NextStep {
   wait,     ///< a rung that was asked for is not decided
   climb,    ///< one more cell
@@ -28,7 +34,12 @@ enum class NextStep {
           ///< make it smaller (a ring-down that has not ended)
 };
 
+struct Climb {
+  NextStep step;
+  std::string reason;  ///< why it climbs, for people; else ""
+};
+
 /// rungs: those that were asked for, coarse to fine, first_cells or more. The request has an accuracy.
-NextStep next_step(const LadderRequest&, std::span<const RungState> rungs);
+Climb next_step(const LadderRequest&, std::span<const RungState> rungs);
 
 }  // namespace mpmstudy

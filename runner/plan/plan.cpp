@@ -10,18 +10,18 @@
 namespace mpmstudy {
 namespace {
 
-Job make_job(const mpm::Scene& scene, const CostModel& cost) {
-  const mpm::Estimate estimate = mpm::estimate(scene);
-  return {job_key(scene), scene, estimate, cost.seconds(estimate)};
-}
+constexpr const char* of_the_sweep = "a point of the sweep";
 
 /// The rungs of one scene, coarse to fine.
 std::vector<Job> make_ladder(const mpm::Scene& scene, const LadderRequest& request, std::int64_t position,
                              const CostModel& cost) {
   const LadderScenes ladder = ladder_scenes(scene, request);
   std::vector<Job> rungs;
-  for (const mpm::Scene& rung : ladder.scenes) rungs.push_back(make_job(rung, cost));
-  for (std::size_t k = 0; k < ladder.first_answer; ++k) rungs[k].rung_of = position;
+  for (const mpm::Scene& rung : ladder.scenes) rungs.push_back(make_job(rung, cost, of_the_sweep));
+  for (std::size_t k = 0; k < ladder.first_answer; ++k) {
+    rungs[k].rung_of = position;
+    rungs[k].reason = "a coarser cell, for the interval";
+  }
   return rungs;
 }
 
@@ -38,6 +38,11 @@ class UniqueJobs {
 };
 
 }  // namespace
+
+Job make_job(const mpm::Scene& scene, const CostModel& cost, std::string reason) {
+  const mpm::Estimate estimate = mpm::estimate(scene);
+  return {job_key(scene), scene, estimate, cost.seconds(estimate), {}, false, std::move(reason)};
+}
 
 LadderScenes ladder_scenes(const mpm::Scene& scene, const LadderRequest& request) {
   LadderScenes ladder;
@@ -61,7 +66,7 @@ Plan make_plan(const Study& study, const CostModel& cost) {
   std::unordered_set<std::string> known;
   for (const mpm::Scene& scene : study.scenes) {
     if (study.ladder.cells == 1) {  // at the cell that is given or found
-      Job job = make_job(scene, cost);
+      Job job = make_job(scene, cost, of_the_sweep);
       if (known.insert(job.key).second) plan.jobs.push_back(std::move(job));
       continue;
     }

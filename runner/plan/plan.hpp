@@ -35,7 +35,12 @@ struct Job {
   /// The position in its study of the job that this one is a coarser cell of; no number: it is a job of the
   /// study itself.
   std::optional<std::int64_t> rung_of = {};
+  /// With rung_of: finer than the cells before it, and from now on the study's own job there.
+  bool finer = false;
+  std::string reason = {};  ///< why it is wanted, for people; the catalog keeps it
 };
+
+Job make_job(const mpm::Scene&, const CostModel& = {}, std::string reason = {});
 
 struct Plan {
   std::string study;

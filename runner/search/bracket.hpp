@@ -66,6 +66,7 @@ class BracketSearch {
     double distance = 0;
   };
   const std::map<int, Told>& told() const { return told_; }
+  bool has_guess() const { return guess_.has_value(); }
 
  private:
   bool known(int index) const { return told_.contains(index); }

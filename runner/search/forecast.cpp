@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "libmpm/scene/parameters.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/search/search.hpp"
+#include "runner/search/search_planner.hpp"
 #include "runner/study/search_steps.hpp"
 
 namespace mpmstudy {
@@ -90,15 +92,17 @@ class MadeUpValues {
 };
 
 /// The search with critical values about one place; the scenes that are not known yet, round by round.
-Rounds play(const Study& study, const KnownVerdict& known, double place) {
+Rounds play(const Study& study, const Answers* known, double place) {
   MadeUpValues values(study, place);
   Rounds rounds;
   Search search(study);
   for (auto scenes = search.next_round(); !scenes.empty(); scenes = search.next_round()) {
     std::vector<mpm::Scene> open;
-    for (const mpm::Scene& scene : scenes) {
+    for (const auto& [scene, why] : scenes) {
       const std::string key = job_key(scene);
-      const auto verdict = known ? known(key) : std::nullopt;
+      const auto answer = known ? known->of(key) : std::nullopt;
+      std::optional<Verdict> verdict;
+      if (answer) verdict = verdict_of(*answer, study.search->outcome);
       if (verdict)
         values.learn(scene, *verdict);
       else
@@ -118,7 +122,7 @@ int count(const Rounds& rounds) {
 
 }  // namespace
 
-SearchForecast forecast_search(const Study& study, const KnownVerdict& known) {
+SearchForecast forecast_search(const Study& study, const Answers* known) {
   SearchForecast forecast;
   forecast.rounds = play(study, known, 0.5);
   forecast.runs = forecast.fewest = forecast.most = count(forecast.rounds);

@@ -1,11 +1,8 @@
 #pragma once
 /// What a search will run, before it has run: made-up verdicts in place of those that are not known yet.
-#include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "runner/search/bracket.hpp"
+#include "runner/plan/planner.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
@@ -17,12 +14,10 @@ struct SearchForecast {
   int fewest = 0, most = 0;  ///< over critical values from one end of the lattice to the other
 };
 
-/// What is known of a run, by its key; empty: it has not run.
-using KnownVerdict = std::function<std::optional<Verdict>(const std::string& key)>;
-
 /// Plays the search through for critical values at several places of the lattice; once some points or cells
 /// are known, for values like theirs. They are as far from where the search begins to look as was seen in
 /// real ones: up to a thirtieth. Runs whose verdicts are known are not counted.
-SearchForecast forecast_search(const Study&, const KnownVerdict& known = {});
+/// Null: nothing is known.
+SearchForecast forecast_search(const Study&, const Answers* known = nullptr);
 
 }  // namespace mpmstudy

@@ -1,5 +1,7 @@
 #include "runner/search/search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,6 +9,7 @@
 
 #include "libmpm/scene/parameters.hpp"
 #include "runner/plan/plan.hpp"
+#include "runner/study/readable.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -163,18 +166,41 @@ void Search::start_ready() {
   }
 }
 
-std::vector<mpm::Scene> Search::next_round() {
+/// Why the entry goes on, from what it has been told.
+std::string Search::why(const Entry& entry) const {
+  if (entry.between) return "runs failed inside the bracket; half a step from them";
+  if (const auto found = entry.bracket()) {
+    const std::string_view unit = critical_.quantity().unit;
+    return fmt::format("the critical value lies between {} and {}", readable(half_.value(found->lower), unit),
+                       readable(half_.value(found->upper), unit));
+  }
+  const auto& told = entry.search->told();
+  if (told.empty())
+    return entry.search->has_guess() ? "where coarser cells or neighbours have the critical value"
+                                     : "the first values, over the whole range";
+  const auto any = [&](auto... verdicts) {
+    return std::ranges::any_of(told,
+                               [&](const auto& run) { return ((run.second.verdict == verdicts) || ...); });
+  };
+  if (any(Verdict::above)) return "no run is below the critical value yet";
+  if (any(Verdict::below, Verdict::undecided)) return "no run is above the critical value yet";
+  return "no run has a verdict yet";
+}
+
+std::vector<AskedScene> Search::next_round() {
   for (Entry& e : entries_) start_between(e);
   start_ready();
   int active = 0;
   for (const Entry& e : entries_) active += e.search && !e.finished();
   if (active == 0) return {};
   const int values = std::clamp(runs_a_round / active, 1, most_values);
-  std::vector<mpm::Scene> scenes;
+  std::vector<AskedScene> scenes;
   for (Entry& e : entries_) {
-    for (const int index : e.next(values)) {
-      scenes.push_back(scene_at(e, index));
-      e.runs.emplace_back(index, job_key(scenes.back()));
+    const auto indices = e.next(values);
+    const std::string reason = indices.empty() ? "" : why(e);
+    for (const int index : indices) {
+      scenes.push_back({scene_at(e, index), reason});
+      e.runs.emplace_back(index, job_key(scenes.back().scene));
     }
   }
   return scenes;

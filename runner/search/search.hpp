@@ -33,6 +33,12 @@ struct FoundBracket {
   int runs = 0;
 };
 
+/// A scene that a search asks for.
+struct AskedScene {
+  mpm::Scene scene;
+  std::string why;  ///< for people
+};
+
 class Search {
  public:
   /// The study has a [search]. Neighbours lie along its first swept quantity other than cell_size; every
@@ -40,7 +46,7 @@ class Search {
   explicit Search(const Study&);
 
   /// Scenes of the next round, each once; empty: the search has ended. Call tell() for each of them first.
-  std::vector<mpm::Scene> next_round();
+  std::vector<AskedScene> next_round();
   /// key: job_key of a scene of the last round; failed jobs are Verdict::broken. `distance`: see
   /// BracketSearch.
   void tell(const std::string& key, Verdict, double distance = 0);
@@ -62,6 +68,7 @@ class Search {
     std::vector<int> next(int most) const;
   };
   mpm::Scene scene_at(const Entry&, int half_steps) const;
+  std::string why(const Entry&) const;
   void start_between(Entry&) const;
   void start_ready();
   std::optional<Guess> guess(const Entry&) const;

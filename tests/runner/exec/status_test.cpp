@@ -6,7 +6,6 @@
 #include "runner/status/eta.hpp"
 #include "runner/status/label.hpp"
 #include "runner/status/plain_status.hpp"
-#include "runner/status/rounds.hpp"
 #include "runner/status/terminal_status.hpp"
 #include "tests/runner/fakes.hpp"
 
@@ -151,48 +150,6 @@ TEST(CutText, counts_code_points) {
   EXPECT_EQ(cut_text("µµµµµµ", 5), "µµ...");
   EXPECT_EQ(cut_text("abc", 2), "..");
   EXPECT_EQ(first_line("a\nb"), "a");
-}
-
-TEST(RoundsTest, are_told_as_one_run) {
-  std::ostringstream out;
-  const auto plain = make_plain_status(out, {}, [] { return 0.0; });
-  Rounds rounds(*plain);
-  RunStart start;
-  start.study = "s";
-  RunEnd end;
-  // Two jobs were done before; each round registers all jobs so far.
-  start.jobs = 3, start.reused = 2;
-  rounds.run_started(start);
-  for (int n = 1; n <= 3; ++n) rounds.job_finished(fakes::job(n), {});
-  end.done = 2, end.failed = 1, end.reused = 2, end.wall_s = 10, end.cpu_s = 10, end.updates_per_second = 4e6;
-  rounds.run_finished(end);
-  start.jobs = 2, start.reused = 4, start.left_failed = 1;
-  rounds.run_started(start);
-  for (int n = 4; n <= 5; ++n) rounds.job_finished(fakes::job(n), {});
-  end.done = 2, end.failed = 1, end.reused = 4, end.cpu_s = 30, end.updates_per_second = 2e6;
-  rounds.run_finished(end);
-  EXPECT_THAT(out.str(), HasSubstr("s: 3 jobs to run"));
-  EXPECT_THAT(out.str(), HasSubstr("[3/3]"));
-  EXPECT_THAT(out.str(), HasSubstr("[5/5]"));
-  EXPECT_THAT(out.str(), Not(HasSubstr(" left in ")));
-  rounds.close();
-  rounds.close();
-  EXPECT_THAT(out.str(), testing::EndsWith(
-                             "4 done, 1 failed, 2 reused, 0 left in 20 s; 2.50 M/s particle updates on each "
-                             "core\n"));
-}
-
-TEST(RoundsTest, a_round_that_is_stopped_ends_the_run) {
-  std::ostringstream out;
-  const auto plain = make_plain_status(out, {}, [] { return 0.0; });
-  Rounds rounds(*plain);
-  rounds.run_started({2, 0, 0, 0, 12, 1});
-  RunEnd end;
-  end.done = 1, end.left = 1, end.stop_reason = "interrupted";
-  rounds.run_finished(end);
-  rounds.close();
-  EXPECT_THAT(out.str(), HasSubstr("1 done, 0 failed, 0 reused, 1 left"));
-  EXPECT_THAT(out.str(), testing::EndsWith("stopped: interrupted; run again to go on\n"));
 }
 
 TEST(TerminalStatusTest, redraws_seldom_and_never_wraps) {

@@ -1,7 +1,7 @@
 // A search against a real catalog and a fake simulation whose critical speed is known: the same brackets for
 // any number of workers and after a stop, no speed twice, neighbours and cells that help each other, and the
 // audit.
-#include "runner/exec/run_search.hpp"
+#include "runner/exec/run_studies.hpp"
 
 #include <gmock/gmock.h>
 
@@ -14,11 +14,13 @@
 #include <set>
 #include <sstream>
 
+#include "runner/catalog/answers.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/row_format.hpp"
 #include "runner/catalog/stored_jobs.hpp"
 #include "runner/finish/figures.hpp"
 #include "runner/finish/fits.hpp"
+#include "runner/search/forecast.hpp"
 #include "tests/runner/fakes.hpp"
 #include "tests/runner/study/study_text.hpp"
 
@@ -50,10 +52,19 @@ double critical_speed(const mpm::Scene& s) {
   return 203 + 250 * d + 30 * d * d + 400 * s.numerics.cell_size * 1e6;
 }
 
+/// Of a run of one search.
+struct SearchOutcome {
+  RunReport run;
+  std::vector<FoundBracket> brackets;
+  Audit audit;
+  int exit_code() const { return run.exit_code(); }
+  std::int64_t not_found() const { return SearchReport{brackets, audit}.not_found(); }
+};
+
 class SearchStudy : public testing::Test {
  protected:
-  SearchReport search(const std::filesystem::path& results, unsigned workers, double audit = 0,
-                      ExecutorOptions executor = {}) {
+  SearchOutcome search(const std::filesystem::path& results, unsigned workers, double audit = 0,
+                       ExecutorOptions executor = {}) {
     const Study study = read_text(study_text);
     executor.results = results;
     executor.workers = workers;
@@ -77,8 +88,16 @@ class SearchStudy : public testing::Test {
       if (outcome) r.outcome = outcome(s);
       return r;
     };
-    return run_search(study, {1e6, retry_failed, audit, {}}, writer, status, simulate, fakes::write_snapshot,
-                      flag, executor);
+    const PlannedStudy planned{{study.name, {}, {}, {}, 1e6}, study.title, {}, {}, study, audit};
+    const RunReport run = run_studies(std::span(&planned, 1), retry_failed, writer, status, simulate,
+                                      fakes::write_snapshot, flag, executor);
+    if (!run.searches.contains(study.name)) return {run, {}, {}};
+    const SearchReport& found = run.searches.at(study.name);
+    return {run, found.brackets, found.audit};
+  }
+  SearchForecast forecast(const Study& study) {
+    const CatalogAnswers known(folder.path());
+    return forecast_search(study, &known);
   }
   std::string rows(const std::filesystem::path& results) {
     std::ostringstream out;
@@ -99,7 +118,7 @@ class SearchStudy : public testing::Test {
 };
 
 TEST_F(SearchStudy, BracketsHoldTheCriticalSpeedAndNameTheirProofs) {
-  const SearchReport report = search(folder.path(), 2);
+  const SearchOutcome report = search(folder.path(), 2);
   EXPECT_EQ(report.run.exit_code(), 0);
   ASSERT_EQ(report.brackets.size(), 15u);
   int finest = 0;
@@ -151,7 +170,7 @@ TEST_F(SearchStudy, IsTheSameForAnyNumberOfWorkersAndAfterAStop) {
 
   simulated.clear();
   stop_at = 11;
-  const SearchReport stopped = search(folder.path() / "stopped", 2);
+  const SearchOutcome stopped = search(folder.path() / "stopped", 2);
   EXPECT_GT(stopped.run.left(), 0);
   EXPECT_EQ(rows(folder.path() / "stopped").find("critical,"), std::string::npos)
       << "no brackets before the end";
@@ -168,11 +187,11 @@ TEST_F(SearchStudy, IsTheSameForAnyNumberOfWorkersAndAfterAStop) {
 // Every round registers the jobs of those before it, too: what fails now is not tried in all rounds after it.
 TEST_F(SearchStudy, AFailedJobIsTriedAgainOncePerRun) {
   breaks = [](const mpm::Scene& s) { return s.impact_speed > 900 && s.impact_speed < 1100; };
-  const SearchReport first = search(folder.path(), 2);
+  const SearchOutcome first = search(folder.path(), 2);
   EXPECT_GT(first.run.executed.failed, 1);
   simulated.clear();  // search() refuses a key that it has seen
   retry_failed = true;
-  const SearchReport again = search(folder.path(), 2);
+  const SearchOutcome again = search(folder.path(), 2);
   EXPECT_EQ(again.run.executed.failed, first.run.executed.failed);
   EXPECT_EQ(again.run.executed.done, 0);
 }
@@ -182,7 +201,7 @@ TEST_F(SearchStudy, WhereRunsFailHalfStepsKeepTheToleranceAndAuditsLeaveThemOut)
     const double off = std::abs(std::remainder(s.impact_speed, 10));
     return off < 1e-6 && std::abs(s.impact_speed - critical_speed(s)) < 5;
   };
-  const SearchReport report = search(folder.path(), 2, 1);
+  const SearchOutcome report = search(folder.path(), 2, 1);
   EXPECT_GT(report.run.executed.failed, 0u);
   EXPECT_EQ(report.audit.audited, report.audit.early);
   const auto in_vain =
@@ -209,13 +228,13 @@ TEST_F(SearchStudy, RunningAgainRunsNothing) {
 }
 
 TEST_F(SearchStudy, AnAuditRunsASampleToTheEndAndNamesFalseStops) {
-  const SearchReport honest = search(folder.path() / "honest", 2, 0.3);
+  const SearchOutcome honest = search(folder.path() / "honest", 2, 0.3);
   EXPECT_GT(honest.audit.audited, 0);
   EXPECT_LT(honest.audit.audited, honest.audit.early);
   EXPECT_TRUE(honest.audit.disagreeing.empty());
   simulated.clear();
   late = true;
-  const SearchReport wrong = search(folder.path() / "wrong", 2, 1);
+  const SearchOutcome wrong = search(folder.path() / "wrong", 2, 1);
   EXPECT_EQ(wrong.audit.audited, wrong.audit.early);
   EXPECT_GT(wrong.audit.disagreeing.size(), 0u);
   // Audited runs are no runs of the study.
@@ -369,7 +388,7 @@ TEST_F(SearchStudy, BracketsOfAnEarlierFormOfTheStudyAreNotItsOwn) {
 TEST_F(SearchStudy, WhatIsNotFoundHasARowAndAnExitCode) {
   study_text = with(text, "between", "between = [\"600 m/s\", \"1000 m/s\"]");
   for (int run = 0; run < 2; ++run) {
-    const SearchReport report = search(folder.path(), 2);
+    const SearchOutcome report = search(folder.path(), 2);
     EXPECT_EQ(report.exit_code(), 1) << run;
     EXPECT_GT(report.not_found(), 0);
     simulated.clear();
@@ -392,10 +411,10 @@ TEST_F(SearchStudy, WhatIsNotFoundHasARowAndAnExitCode) {
 // Trial 10: 1 the first time, 0 again.
 TEST_F(SearchStudy, FailedJobsHaveTheSameExitCodeEveryTime) {
   breaks = [](const mpm::Scene& s) { return s.impact_speed > 1500; };
-  const SearchReport first = search(folder.path(), 2);
+  const SearchOutcome first = search(folder.path(), 2);
   EXPECT_EQ(first.exit_code(), 1);
   EXPECT_EQ(first.run.left_failed, 0);
-  const SearchReport again = search(folder.path(), 2);
+  const SearchOutcome again = search(folder.path(), 2);
   EXPECT_EQ(again.exit_code(), 1);
   EXPECT_EQ(again.run.executed.failed, 0);
   EXPECT_EQ(again.run.left_failed, first.run.executed.failed);
@@ -406,7 +425,7 @@ TEST_F(SearchStudy, FailedJobsHaveTheSameExitCodeEveryTime) {
 TEST_F(SearchStudy, ASignalEndsTheRounds) {
   search(folder.path(), 2);
   flag.ask(SIGTERM);
-  const SearchReport stopped = search(folder.path(), 2);
+  const SearchOutcome stopped = search(folder.path(), 2);
   EXPECT_GT(stopped.run.left(), 0);
   EXPECT_EQ(stopped.exit_code(), 75);
   EXPECT_TRUE(stopped.brackets.empty());
@@ -415,7 +434,7 @@ TEST_F(SearchStudy, ASignalEndsTheRounds) {
 TEST_F(SearchStudy, TheBudgetIsThatOfAllRounds) {
   ExecutorOptions executor;
   executor.budget_s = 1e-6;
-  const SearchReport report = search(folder.path(), 1, 0, executor);
+  const SearchOutcome report = search(folder.path(), 1, 0, executor);
   EXPECT_EQ(report.exit_code(), 75);
   EXPECT_TRUE(report.run.executed.budget_spent);
 }
@@ -444,13 +463,13 @@ TEST_F(SearchStudy, ALadderOfCellsIsASweepOfThemAndGivesAnInterval) {
 
 TEST_F(SearchStudy, AForecastIsNearWhatRunsAndKnowsWhatHasRun) {
   const Study study = read_text(study_text);
-  const SearchForecast before = forecast_search(study, folder.path(), false);
+  const SearchForecast before = forecast(study);
   search(folder.path(), 2);
   const int ran = static_cast<int>(simulated.size());
   EXPECT_LE(before.fewest, before.runs);
   EXPECT_GE(before.most, before.runs);
   EXPECT_NEAR(before.runs, ran, 0.3 * ran);
-  const SearchForecast after = forecast_search(study, folder.path(), false);
+  const SearchForecast after = forecast(study);
   EXPECT_EQ(after.most, 0);
   EXPECT_TRUE(after.rounds.empty());
 }
@@ -459,7 +478,7 @@ TEST_F(SearchStudy, AForecastOfAFinerCellGoesByTheCoarserOnes) {
   study_text = with(text, "cell_size", "cell_size = { values = [0.4, 0.2], unit = \"um\" }");
   search(folder.path(), 2);
   study_text = text;
-  const SearchForecast forecast = forecast_search(read_text(study_text), folder.path(), false);
+  const SearchForecast forecast = forecast(read_text(study_text));
   simulated.clear();
   search(folder.path(), 2);
   const int ran = static_cast<int>(simulated.size());

@@ -1,0 +1,70 @@
+#include "runner/catalog/job_states.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "runner/catalog/connection.hpp"
+#include "runner/catalog/query.hpp"
+
+namespace mpmstudy {
+namespace {
+
+const std::string& text(const SqlValue& value) {
+  static const std::string none;
+  const auto* found = std::get_if<std::string>(&value);
+  return found ? *found : none;
+}
+
+Rows about(const std::filesystem::path& results, const std::string& sql, const std::string& parameter) {
+  const SqlValue value = parameter;
+  return query(results, sql, std::span(&value, 1));
+}
+
+}  // namespace
+
+std::map<std::string, JobStatus> job_states(const std::filesystem::path& results) {
+  std::map<std::string, JobStatus> states;
+  if (!has_catalog(results)) return states;
+  for (const auto& row : query(results, "SELECT DISTINCT key, status FROM jobs").rows)
+    states.emplace(text(row[0]), job_status_from(text(row[1])));
+  return states;
+}
+
+std::vector<std::string> keys_of(const std::filesystem::path& results, const std::string& study,
+                                 JobStatus status) {
+  const SqlValue parameters[] = {study, std::string(to_string(status))};
+  std::vector<std::string> keys;
+  for (const auto& row :
+       query(results, "SELECT key FROM jobs WHERE study = ?1 AND status = ?2 ORDER BY position", parameters)
+           .rows)
+    keys.push_back(text(row[0]));
+  return keys;
+}
+
+std::vector<Decision> decisions_of(const std::filesystem::path& results, const std::string& key) {
+  // not of the view: an older catalog that is only read has none
+  const auto db = open_for_reading(results);
+  const bool kept =
+      db->execAndGet("SELECT count(*) FROM pragma_table_info('study_job') WHERE name = 'reason'").getInt() >
+      0;
+  std::vector<Decision> decisions;
+  for (const auto& row : about(results,
+                               std::string("SELECT s.name, ") + (kept ? "m.reason" : "NULL") +
+                                   " FROM study_job m JOIN study s ON s.id = m.study_id JOIN job j ON j.id = "
+                                   "m.job_id WHERE j.key = ?1 ORDER BY s.name",
+                               key)
+                             .rows)
+    decisions.push_back({text(row[0]), text(row[1])});
+  return decisions;
+}
+
+std::vector<JobEvent> events_of(const std::filesystem::path& results, const std::string& key) {
+  std::vector<JobEvent> events;
+  for (const auto& row :
+       about(results,
+             "SELECT at, from_status, to_status, \"by\", reason FROM events WHERE key = ?1 ORDER BY id", key)
+           .rows)
+    events.push_back({text(row[0]), text(row[1]), text(row[2]), text(row[3]), text(row[4])});
+  return events;
+}
+
+}  // namespace mpmstudy
