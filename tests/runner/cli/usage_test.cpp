@@ -53,7 +53,7 @@ TEST_F(Usage, a_view_that_is_not_there_gets_the_nearest_one) {
   EXPECT_EQ(verb({"export", "--what", "job"}), 2);
   EXPECT_THAT(output, HasSubstr("--what: job: there is no such view; did you mean jobs?"));
   EXPECT_EQ(verb({"export", "--what", "zzzzzzzz"}), 2);
-  EXPECT_THAT(output, HasSubstr("claims, critical_speed, events, fits"));
+  EXPECT_THAT(output, HasSubstr("claims, critical_speed, decisions, events, fits"));
 }
 
 TEST_F(Usage, exit_codes_say_how_the_studies_are) {

@@ -33,7 +33,7 @@ TEST_F(Verbs, explain_says_which_parameter_is_new_and_where_it_is_said) {
   ASSERT_EQ(verb({"run", study, "-q", "--set", "yield_stress=150 MPa", "--set", "name=harder"}), 0) << output;
   const auto key = text("SELECT key FROM jobs WHERE study = 'harder' AND cavity_radius_m = 1e-6 LIMIT 1");
   ASSERT_EQ(verb({"explain", key.substr(0, 12)}), 0) << output;
-  EXPECT_THAT(output, HasSubstr("of harder\ndone"));
+  EXPECT_THAT(output, HasSubstr("of harder: a point of the sweep\ndone"));
   EXPECT_THAT(output, HasSubstr("  yield_stress = 150 MPa (there 120 MPa)  --set\n"));
   EXPECT_THAT(output, HasSubstr("planned -> running by "));
   EXPECT_THAT(output, Not(HasSubstr("cavity_radius =  ")));

@@ -2,9 +2,11 @@
 // they climb, that nothing is run twice, and what the catalog then says.
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <set>
+#include <thread>
 
 #include "runner/catalog/query.hpp"
 #include "runner/exec/run_studies.hpp"
@@ -24,6 +26,7 @@ class Ladders : public testing::Test {
       std::lock_guard lock(mutex);
       EXPECT_TRUE(ran.insert(job_key(s)).second) << "run twice";
     }
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
     mpm::RunResult result = fakes::result_of(s);
     if (s.numerics.cell_size == broken_cell) {
       result.status = mpm::RunStatus::failed;
@@ -38,9 +41,13 @@ class Ladders : public testing::Test {
     CatalogWriter writer(folder.path());
     Status status;
     const Simulate simulate = [this](const mpm::Scene& s, mpm::Observer&) { return collapse(s); };
+    ExecutorOptions options;
+    options.results = folder.path();
+    options.workers = workers;
+    options.budget_s = budget;
     const std::vector<PlannedStudy> planned = {{make_plan(study), study.title}};
-    const RunReport report = run_studies(planned, false, writer, status, simulate, fakes::write_snapshot,
-                                         flag, {folder.path(), workers});
+    const RunReport report =
+        run_studies(planned, false, writer, status, simulate, fakes::write_snapshot, flag, options);
     writer.replace_intervals(study.name, intervals_of(study, folder.path()));
     return report;
   }
@@ -57,6 +64,7 @@ class Ladders : public testing::Test {
   std::mutex mutex;
   std::set<std::string> ran;  // guarded by mutex
   double broken_cell = 0, measuring_error = 0;
+  double seconds = 0, budget = 0;  ///< of a run of the simulation; of the whole
 };
 
 TEST_F(Ladders, AFixedOneRunsItsCellsAndHasIntervals) {
@@ -85,6 +93,24 @@ TEST_F(Ladders, AFixedOneRunsItsCellsAndHasIntervals) {
               1e-4);
   run(study("cell_size = \"0.1 um\"\nladder = 3"));
   EXPECT_EQ(ran.size(), 6u);
+}
+
+TEST_F(Ladders, TheCatalogKeepsWhyAFinerCellWasAskedFor) {
+  run(study("accuracy = \"1 %\""));
+  const auto reasons = ask("SELECT DISTINCT substr(reason, 1, 39) FROM decisions ORDER BY 1");
+  ASSERT_EQ(reasons.size(), 3u);
+  EXPECT_EQ(reasons[0][0], SqlValue("a coarser cell, for the interval"));
+  EXPECT_EQ(reasons[1][0], SqlValue("a finer cell: collapsibility is known t"));
+  EXPECT_EQ(reasons[2][0], SqlValue("a point of the sweep"));
+}
+
+// The budget is that of the run, not of each of its rounds.
+TEST_F(Ladders, ABudgetIsThatOfAllRounds) {
+  seconds = 0.2;
+  budget = 0.3;  // the first round takes at least 0.2 s
+  const RunReport report = run(study("accuracy = \"0.1 %\""), 64);
+  EXPECT_TRUE(report.executed.budget_spent);
+  EXPECT_GT(report.left(), 0);
 }
 
 TEST_F(Ladders, AnAccuracyClimbsAsFarAsItMust) {

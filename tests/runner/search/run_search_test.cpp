@@ -422,10 +422,12 @@ TEST_F(SearchStudy, FailedJobsHaveTheSameExitCodeEveryTime) {
 }
 
 // Trial 9: rounds of jobs that are all done went on.
-TEST_F(SearchStudy, ASignalEndsTheRounds) {
+TEST_F(SearchStudy, AfterASignalNoRoundBegins) {
+  stop_at = 20;
   search(folder.path(), 2);
-  flag.ask(SIGTERM);
-  const SearchOutcome stopped = search(folder.path(), 2);
+  const std::size_t before = simulated.size();
+  const SearchOutcome stopped = search(folder.path(), 2);  // the signal is still there
+  EXPECT_EQ(simulated.size(), before);
   EXPECT_GT(stopped.run.left(), 0);
   EXPECT_EQ(stopped.exit_code(), 75);
   EXPECT_TRUE(stopped.brackets.empty());
@@ -478,46 +480,30 @@ TEST_F(SearchStudy, AForecastOfAFinerCellGoesByTheCoarserOnes) {
   study_text = with(text, "cell_size", "cell_size = { values = [0.4, 0.2], unit = \"um\" }");
   search(folder.path(), 2);
   study_text = text;
-  const SearchForecast forecast = forecast(read_text(study_text));
+  const SearchForecast expected = forecast(read_text(study_text));
   simulated.clear();
   search(folder.path(), 2);
   const int ran = static_cast<int>(simulated.size());
   EXPECT_GT(ran, 5);
-  EXPECT_NEAR(forecast.runs, ran, 0.5 * ran);
-  EXPECT_LE(forecast.most, 2 * ran);
+  EXPECT_NEAR(expected.runs, ran, 0.5 * ran);
+  EXPECT_LE(expected.most, 2 * ran);
 }
 
-TEST(RunReport, ASumHasAllParts) {
-  RunReport a, b;
-  b.executed.done = 1;
-  b.executed.failed = 2;
-  b.executed.stopped = 3;
-  b.executed.untouched = 4;
-  b.executed.done_elsewhere = 5;
-  b.executed.failed_elsewhere = 6;
-  b.executed.updates = 7;
-  b.executed.cpu_s = 8;
-  b.executed.predicted_s = 9;
-  b.executed.budget_spent = true;
-  b.executed.storage_error = "full";
-  b.reused = 10;
-  b.left_failed = 11;
-  b.signal = SIGTERM;
-  a += b;
-  a += b;
-  EXPECT_EQ(a.executed.done, 2);
-  EXPECT_EQ(a.executed.failed, 4);
-  EXPECT_EQ(a.left(), 14);
-  EXPECT_EQ(a.executed.done_elsewhere, 10);
-  EXPECT_EQ(a.executed.failed_elsewhere, 12);
-  EXPECT_EQ(a.executed.updates, 14);
-  EXPECT_EQ(a.executed.cpu_s, 16);
-  EXPECT_EQ(a.executed.predicted_s, 18);
-  EXPECT_TRUE(a.executed.budget_spent);
-  EXPECT_EQ(a.executed.storage_error, "full");
-  EXPECT_EQ(a.reused, 20);
-  EXPECT_EQ(a.left_failed, 22);
-  EXPECT_EQ(a.signal, SIGTERM);
+// What `explain` prints is what was written down when the job was asked for.
+TEST_F(SearchStudy, TheCatalogKeepsWhyAJobWasAskedFor) {
+  search(folder.path(), 2);
+  const auto reasons = query(folder.path(),
+                             "SELECT d.reason, j.wall_thickness_m, j.impact_speed_m_s FROM decisions d JOIN "
+                             "jobs j USING (key, study) WHERE d.study = 'critical' ORDER BY d.position")
+                           .rows;
+  ASSERT_EQ(reasons.size(), simulated.size());
+  const auto reason = [&](std::size_t i) { return std::get<std::string>(reasons[i][0]); };
+  EXPECT_EQ(reason(0), "round 1 of the search: the first values, over the whole range");
+  EXPECT_THAT(
+      reason(reasons.size() - 1),
+      testing::MatchesRegex("round [0-9]+ of the search: the critical value lies between [0-9.]+ k?m/s and "
+                            "[0-9.]+ k?m/s"));
+  EXPECT_TRUE(query(folder.path(), "SELECT key FROM decisions WHERE reason IS NULL").rows.empty());
 }
 
 }  // namespace
