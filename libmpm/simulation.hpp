@@ -5,13 +5,11 @@
 #include "libmpm/observer.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/step/stepper.hpp"
 
 namespace mpm {
 
 class Measurement;
-class Stepper;
-struct State;
-struct StepReport;
 
 /// One run.
 ///

@@ -4,15 +4,44 @@
 
 namespace mpm {
 
+inline walls::WallNode<double> wall_node(Node& n) {
+  return {n.mass, {&n.velocity.x(), &n.velocity.y()}, {&n.acceleration.x(), &n.acceleration.y()}};
+}
+inline walls::WallNode<double, 3> wall_node(BasicNode<3>& n) {
+  return {n.mass,
+          {&n.velocity.x(), &n.velocity.y(), &n.velocity.z()},
+          {&n.acceleration.x(), &n.acceleration.y(), &n.acceleration.z()}};
+}
+
 /// The nodes of a Grid, for walls.hpp.
 struct GridNodes {
   Grid& grid;
 
-  walls::WallNode<double> at(int i, int j) const {
-    Node& n = grid.at(i, j);
-    return {n.mass, {&n.velocity.x(), &n.velocity.y()}, {&n.acceleration.x(), &n.acceleration.y()}};
-  }
+  auto at(int i, int j) const { return wall_node(grid.at(i, j)); }
   void leave_heat(int i, int j, double heat) const { grid.at(i, j).contact_heat = heat; }
 };
+
+/// Those of one slice: columns go along x.
+struct SliceNodes {
+  BasicGrid<3>& grid;
+  int slice;
+
+  auto at(int i, int j) const { return wall_node(grid.at(i, j, slice)); }
+  void leave_heat(int i, int j, double heat) const { grid.at(i, j, slice).contact_heat = heat; }
+};
+
+/// Those of one column of every slice: columns go along z.
+struct DepthNodes {
+  BasicGrid<3>& grid;
+  int column;
+
+  auto at(int k, int j) const { return wall_node(grid.at(column, j, k)); }
+};
+
+/// Calls use(nodes) for every slice, the ghosts too.
+template <class Use>
+void each_slice(BasicGrid<3>& grid, Use use) {
+  for (int k = -grid.ghosts; k <= grid.slices() + grid.ghosts; ++k) use(SliceNodes{grid, k});
+}
 
 }  // namespace mpm

@@ -18,5 +18,6 @@ namespace mpm {
 /// Engng 187, 529, with the second body the image of the first. Call after update_grid. Checked by
 /// tests/libmpm/step_test.cpp and tests/verification/.
 void apply_impact_wall(Grid&, double dt);
+void apply_impact_wall(BasicGrid<3>&, double dt);
 
 }  // namespace mpm

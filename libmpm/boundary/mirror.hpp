@@ -8,6 +8,8 @@ namespace mpm {
 /// Rigid, frictionless, two-sided mirrors at x = origin and x = origin + width: a periodic row of images.
 /// Call after p2g, before forces become accelerations. Normal momentum and force on the wall's nodes vanish.
 void reflect_sides(Grid&, int top_row);
+/// Of three axes the same at z = origin and z = origin + depth.
+void reflect_sides(BasicGrid<3>&, int top_row);
 
 /// What the line y = origin is.
 enum class Floor {
@@ -18,8 +20,12 @@ enum class Floor {
 /// A mirror along a row of nodes, which both sides of it share: `layers` rows above and below are images of
 /// each other. The rows must be there. Call after reflect_sides.
 void reflect_row(Grid&, int row, int layers);
+void reflect_row(BasicGrid<3>&, int row, int layers);
 
 /// A mirror at y = origin.
-inline void reflect_floor(Grid& grid) { reflect_row(grid, 0, Grid::ghosts); }
+template <int axes>
+void reflect_floor(BasicGrid<axes>& grid) {
+  reflect_row(grid, 0, grid.ghosts);
+}
 
 }  // namespace mpm

@@ -2,32 +2,37 @@
 /// What walls do to the nodes of a grid: one text for the plain step and the fast one. The rules, with their
 /// sources, are in mirror.hpp and impact_wall.hpp.
 ///
-/// `Nodes` gives access to a grid, in which layers of nodes lie behind the walls:
-///   nodes.at(i, j)               a WallNode
+/// `Nodes` gives access to a grid of two axes, or to a slice of one of three, in which layers of nodes lie
+/// behind the walls:
+///   nodes.at(i, j)               a WallNode; i across the sides, j from the floor upwards
 ///   nodes.leave_heat(i, j, h)    h [J/kg]: what the contact took from the motion of the node
+#include <array>
+#include <cstddef>
+#include <tuple>
+
 namespace mpm::walls {
 
 /// A node by its axes. Before the grid update v is momentum and a force, after it they are velocity and rate.
-template <class Real>
+template <class Real, int axes = 2>
 struct WallNode {
   Real& mass;
-  Real* v[2];
-  Real* a[2];
+  std::array<Real*, axes> v;
+  std::array<Real*, axes> a;
 };
 
 /// A node on the mirror across `axis`: it and its image are one, of twice the mass, momentum and force.
-template <class Real>
-void stop(const WallNode<Real>& n, int axis) {
+template <class Real, int axes>
+void stop(const WallNode<Real, axes>& n, int axis) {
   n.mass *= 2;
-  for (int k = 0; k < 2; ++k) *n.v[k] *= 2, *n.a[k] *= 2;
+  for (int k = 0; k < axes; ++k) *n.v[k] *= 2, *n.a[k] *= 2;
   *n.v[axis] = *n.a[axis] = 0;
 }
 
 /// Adds to each of two nodes the image of the other.
-template <class Real>
-void join(const WallNode<Real>& n, const WallNode<Real>& image, int axis) {
+template <class Real, int axes>
+void join(const WallNode<Real, axes>& n, const WallNode<Real, axes>& image, int axis) {
   image.mass = n.mass += image.mass;
-  for (int k = 0; k < 2; ++k) {
+  for (int k = 0; k < axes; ++k) {
     const Real sign = k == axis ? -1 : 1;
     *image.v[k] = sign * (*n.v[k] += sign * *image.v[k]);
     *image.a[k] = sign * (*n.a[k] += sign * *image.a[k]);
@@ -35,14 +40,15 @@ void join(const WallNode<Real>& n, const WallNode<Real>& image, int axis) {
 }
 
 /// Mirrors at the columns 0 and `right`, for the rows [first, last] and `layers` of nodes behind them.
+/// `axis`: the one that columns are counted along.
 template <class Nodes>
-void reflect_sides(Nodes nodes, int right, int first, int last, int layers) {
+void reflect_sides(Nodes nodes, int right, int first, int last, int layers, int axis = 0) {
   for (int j = first; j <= last; ++j)
     for (const int wall : {0, right}) {
       const int inwards = wall == 0 ? 1 : -1;
-      stop(nodes.at(wall, j), 0);
+      stop(nodes.at(wall, j), axis);
       for (int k = 1; k <= layers; ++k)
-        join(nodes.at(wall + inwards * k, j), nodes.at(wall - inwards * k, j), 0);
+        join(nodes.at(wall + inwards * k, j), nodes.at(wall - inwards * k, j), axis);
     }
 }
 
@@ -56,43 +62,53 @@ void reflect_row(Nodes nodes, int row, int first, int last, int layers) {
 }
 
 /// Gives a node another velocity. a is the change of v over `step`.
-template <class Nodes, class Real>
-void move_to(Nodes nodes, int i, int j, Real x, Real y, Real step) {
-  const WallNode<Real> n = nodes.at(i, j);
-  const Real change[2] = {x - *n.v[0], y - *n.v[1]};
-  *n.v[0] = x, *n.v[1] = y;
-  for (int k = 0; k < 2; ++k) *n.a[k] += change[k] / step;
+template <class Nodes, class Velocity, class Real>
+void move_to(Nodes nodes, int i, int j, const Velocity& velocity, Real step) {
+  const auto n = nodes.at(i, j);
   const Real half = Real(0.5) * step;
-  nodes.leave_heat(i, j, -(change[0] * (x - half * *n.a[0]) + change[1] * (y - half * *n.a[1])));
+  Real gain = 0;
+  for (std::size_t k = 0; k < velocity.size(); ++k) {
+    const Real change = velocity[k] - *n.v[k];
+    *n.v[k] = velocity[k];
+    *n.a[k] += change / step;
+    const Real part = change * (velocity[k] - half * *n.a[k]);
+    gain = k == 0 ? part : gain + part;
+  }
+  nodes.leave_heat(i, j, -gain);
 }
 
 /// The impact wall along row 0, for the columns [first, last] and `layers` of rows on either side. `step`:
 /// the time over which v changes by a; 1 where a is the change itself.
 template <class Real, class Nodes>
 void push_off_wall(Nodes nodes, int first, int last, int layers, Real step) {
+  constexpr std::size_t normal = 1;
   for (int i = first; i <= last; ++i) {
-    const WallNode<Real> wall = nodes.at(i, 0);
+    const auto wall = nodes.at(i, 0);
     if (wall.mass == 0) continue;
     // the velocity of the common momentum of a node above the wall and the image of the one below
-    const auto common = [&](int k, int axis) {
-      const WallNode<Real> above = nodes.at(i, k), below = nodes.at(i, -k);
+    const auto common = [&](int k, std::size_t axis) {
+      const auto above = nodes.at(i, k), below = nodes.at(i, -k);
       if (!(below.mass > 0)) return *above.v[axis];
-      const Real image = axis == 1 ? -*below.v[axis] : *below.v[axis];
+      const Real image = axis == normal ? -*below.v[axis] : *below.v[axis];
       return (above.mass * *above.v[axis] + below.mass * image) / (above.mass + below.mass);
     };
-    Real push = -(wall.mass * *wall.v[1]);
+    Real push = -(wall.mass * *wall.v[normal]);
     for (int k = 1; k <= layers; ++k) {
-      const WallNode<Real> above = nodes.at(i, k), below = nodes.at(i, -k);
-      const Real y = common(k, 1);
-      push = above.mass * (y - *above.v[1]) + push + below.mass * (-y - *below.v[1]);
+      const auto above = nodes.at(i, k), below = nodes.at(i, -k);
+      const Real y = common(k, normal);
+      push = above.mass * (y - *above.v[normal]) + push + below.mass * (-y - *below.v[normal]);
     }
     if (!(push > 0)) continue;
-    move_to(nodes, i, 0, *wall.v[0], Real(0), step);
+    std::array<Real, std::tuple_size_v<decltype(wall.v)>> velocity;
+    for (std::size_t axis = 0; axis < velocity.size(); ++axis)
+      velocity[axis] = axis == normal ? Real(0) : *wall.v[axis];
+    move_to(nodes, i, 0, velocity, step);
     for (int k = 1; k <= layers; ++k) {
       if (nodes.at(i, k).mass == 0 && nodes.at(i, -k).mass == 0) continue;
-      const Real x = common(k, 0), y = common(k, 1);
-      move_to(nodes, i, k, x, y, step);
-      move_to(nodes, i, -k, x, -y, step);
+      for (std::size_t axis = 0; axis < velocity.size(); ++axis) velocity[axis] = common(k, axis);
+      move_to(nodes, i, k, velocity, step);
+      velocity[normal] = -velocity[normal];
+      move_to(nodes, i, -k, velocity, step);
     }
   }
 }

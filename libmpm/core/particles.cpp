@@ -2,7 +2,8 @@
 
 namespace mpm {
 
-void Particles::reserve(std::size_t n) {
+template <int axes>
+void BasicParticles<axes>::reserve(std::size_t n) {
   position.reserve(n);
   velocity.reserve(n);
   mass.reserve(n);
@@ -17,7 +18,8 @@ void Particles::reserve(std::size_t n) {
   half_size.reserve(n);
 }
 
-void Particles::add(Vec2 x, Vec2 v, double m, double v0, Vec2 half) {
+template <int axes>
+void BasicParticles<axes>::add(Vector x, Vector v, double m, double v0, Vector half) {
   position.push_back(x);
   velocity.push_back(v);
   mass.push_back(m);
@@ -32,7 +34,8 @@ void Particles::add(Vec2 x, Vec2 v, double m, double v0, Vec2 half) {
   half_size.push_back(half);
 }
 
-void carry_particles(Particles& ps, Archive& a) {
+template <int axes>
+void carry_particles(BasicParticles<axes>& ps, Archive& a) {
   a.numbers("position", ps.position), a.numbers("velocity", ps.velocity);
   a.numbers("mass", ps.mass), a.numbers("initial_volume", ps.initial_volume);
   a.numbers("dilation", ps.dilation), a.numbers("energy", ps.energy);
@@ -42,5 +45,10 @@ void carry_particles(Particles& ps, Archive& a) {
   a.numbers("half_size", ps.half_size), a.numbers("domain", ps.domain);
   a.numbers("affine", ps.affine), a.numbers("affine_energy", ps.affine_energy);
 }
+
+template struct BasicParticles<2>;
+template struct BasicParticles<3>;
+template void carry_particles(BasicParticles<2>&, Archive&);
+template void carry_particles(BasicParticles<3>&, Archive&);
 
 }  // namespace mpm

@@ -9,51 +9,54 @@ namespace mpm {
 
 /// The material points, one column a quantity. Columns have the same length, apart from those of physics that
 /// a scene lacks, which are empty.
-struct Particles {
-  std::vector<Vec2> position;          ///< [m]
-  std::vector<Vec2> velocity;          ///< [m/s]
-  std::vector<double> mass;            ///< per depth [kg/m], in axisymmetry per radian [kg]; constant
+template <int axes>
+struct BasicParticles {
+  using Vector = Vec<axes>;
+
+  std::vector<Vector> position;  ///< [m]
+  std::vector<Vector> velocity;  ///< [m/s]
+  std::vector<double> mass;  ///< in plane strain per depth [kg/m], in axisymmetry per radian [kg]; constant
   std::vector<double> initial_volume;  ///< at the reference density: mass / density; constant
   std::vector<double> dilation;  ///< J - 1 = rho0/rho - 1 [1], at most MieGrueneisen::most_dilation; small
                                  ///< strains keep their digits
   std::vector<double> energy;    ///< specific internal energy, carried at half steps (see step.hpp) [J/kg]
   std::vector<double> pressure;  ///< of the equation of state [Pa]
   std::vector<double> viscous_pressure;  ///< q >= 0 [Pa]
-  std::vector<PlaneTensor> deviator;     ///< s [Pa]
+  std::vector<Tensor<axes>> deviator;    ///< s [Pa]
   std::vector<double> plastic_strain;    ///< equivalent [1]
   std::vector<double> plastic_work;      ///< per mass [J/kg]
-  std::vector<Vec2> half_size;           ///< of the particle's domain [m]
+  std::vector<Vector> half_size;         ///< of the particle's domain [m]
   /// Half edges of the particle's parallelogram, as columns [m]; empty with schemes that have none (Cpdi).
-  std::vector<Mat2> domain;
-  std::vector<PlaneTensor> back_stress;  ///< [Pa]; empty without kinematic hardening
+  std::vector<Mat<axes>> domain;
+  std::vector<Tensor<axes>> back_stress;  ///< [Pa]; empty without kinematic hardening
   /// Velocity gradient that the particle carries [1/s], and the kinetic energy of that motion [J/kg]; empty
   /// with transfers that carry none (Apic).
-  std::vector<Mat2> affine;
+  std::vector<Mat<axes>> affine;
   std::vector<double> affine_energy;
 
   std::size_t size() const { return position.size(); }
   double density(std::size_t p) const { return mass[p] / volume(p); }  ///< [kg/m^3]
   double volume(std::size_t p) const {
     return initial_volume[p] * (1 + dilation[p]);
-  }  ///< [m^2], per radian [m^3]
+  }  ///< [m^2], per radian or of three axes [m^3]
 
-  /// Kinetic energy of a particle [J/m].
+  /// Kinetic energy of a particle [J/m], of three axes [J].
   double kinetic_energy(std::size_t p) const {
     const double inside = affine_energy.empty() ? 0 : mass[p] * affine_energy[p];
     return 0.5 * mass[p] * velocity[p].squaredNorm() + inside;
   }
   /// Total Cauchy stress, artificial viscosity included [Pa].
-  PlaneTensor stress(std::size_t p) const {
-    const double mean = -(pressure[p] + viscous_pressure[p]);
-    const PlaneTensor& s = deviator[p];
-    return {s.xx + mean, s.yy + mean, s.zz + mean, s.xy};
+  Tensor<axes> stress(std::size_t p) const {
+    return plus_mean(deviator[p], -(pressure[p] + viscous_pressure[p]));
   }
 
   void reserve(std::size_t n);
   /// Adds a particle at rest, without stress.
-  void add(Vec2 x, Vec2 v, double m, double v0, Vec2 half);
+  void add(Vector x, Vector v, double m, double v0, Vector half);
 };
+using Particles = BasicParticles<2>;
 
-void carry_particles(Particles&, Archive&);
+template <int axes>
+void carry_particles(BasicParticles<axes>&, Archive&);
 
 }  // namespace mpm

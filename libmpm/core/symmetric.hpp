@@ -1,6 +1,7 @@
 #pragma once
-/// Symmetric tensors over any number (core/number.hpp), whose components xz and yz are 0. A model uses them
-/// by the functions below and asks for no component, so that it does not depend on the space.
+/// Symmetric tensors over any number (core/number.hpp), whose components xz and yz are 0; with all
+/// components: full_symmetric.hpp. A model uses them by the functions below and asks for no component, so
+/// that it does not depend on the space.
 #include "libmpm/core/number.hpp"
 
 namespace mpm {
@@ -99,6 +100,16 @@ MPM_INLINE Deviator<N> rotated(const PlaneRotation<N>& r, const Deviator<N>& a) 
   const N double_cosine = cc - ss;
   const N in_plane = a.xx + a.yy, xx = cc * a.xx + ss * a.yy - cs2 * a.xy;
   return {xx, in_plane - xx, cs * (a.xx - a.yy) + double_cosine * a.xy};
+}
+
+/// Components of a deviator, one after the other, as models keep them in columns of their own.
+template <class N>
+MPM_INLINE void load(const N* from, Deviator<N>& a) {
+  a = {from[0], from[1], from[2]};
+}
+template <class N>
+MPM_INLINE void store(const Deviator<N>& a, N* to) {
+  to[0] = a.xx, to[1] = a.yy, to[2] = a.xy;
 }
 
 }  // namespace mpm

@@ -1,25 +1,64 @@
 #pragma once
-/// Small tensors of plane strain, and the two sign rules of the whole library:
+/// Small vectors and tensors of two and of three axes, and the two sign rules of the whole library:
 /// stress is positive in tension, pressure is positive in compression.
 #include <Eigen/Core>
+#include <type_traits>
 
 namespace mpm {
 
-using Vec2 = Eigen::Vector2d;
-using Mat2 = Eigen::Matrix2d;  ///< velocity gradient: row = component, column = direction
+template <int axes>
+using Vec = Eigen::Matrix<double, axes, 1>;
+template <int axes>
+using Mat = Eigen::Matrix<double, axes, axes>;  ///< velocity gradient: row = component, column = direction
 
-/// A symmetric tensor of plane strain: the in-plane part and zz.
+using Vec2 = Vec<2>;
+using Vec3 = Vec<3>;
+using Mat2 = Mat<2>;
+using Mat3 = Mat<3>;
+
+/// A symmetric tensor of plane strain and of axial symmetry: the in-plane part and zz.
 struct PlaneTensor {
   double xx = 0, yy = 0, zz = 0, xy = 0;
 };
 
+/// A symmetric tensor of three axes.
+struct FullTensor {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+};
+
+template <int axes>
+using Tensor = std::conditional_t<axes == 2, PlaneTensor, FullTensor>;
+
 inline PlaneTensor operator*(double k, const PlaneTensor& t) {
   return {k * t.xx, k * t.yy, k * t.zz, k * t.xy};
+}
+inline FullTensor operator*(double k, const FullTensor& t) {
+  return {k * t.xx, k * t.yy, k * t.zz, k * t.xy, k * t.xz, k * t.yz};
+}
+
+/// t + mean 1
+inline PlaneTensor plus_mean(const PlaneTensor& t, double mean) {
+  return {t.xx + mean, t.yy + mean, t.zz + mean, t.xy};
+}
+inline FullTensor plus_mean(const FullTensor& t, double mean) {
+  return {t.xx + mean, t.yy + mean, t.zz + mean, t.xy, t.xz, t.yz};
 }
 
 /// a : b
 inline double contract(const PlaneTensor& a, const PlaneTensor& b) {
   return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2 * (a.xy * b.xy);
+}
+inline double contract(const FullTensor& a, const FullTensor& b) {
+  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
+}
+
+/// t g, along the axes of the grid
+inline Vec2 product(const PlaneTensor& t, const Vec2& g) {
+  return {t.xx * g.x() + t.xy * g.y(), t.xy * g.x() + t.yy * g.y()};
+}
+inline Vec3 product(const FullTensor& t, const Vec3& g) {
+  return {t.xx * g.x() + t.xy * g.y() + t.xz * g.z(), t.xy * g.x() + t.yy * g.y() + t.yz * g.z(),
+          t.xz * g.x() + t.yz * g.y() + t.zz * g.z()};
 }
 
 }  // namespace mpm

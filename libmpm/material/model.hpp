@@ -22,18 +22,19 @@ namespace mpm {
 template <class N, class Space = space::PlaneStrain>
 struct Strain {
   using Increment = typename Space::template Increment<N>;
-  Increment rate;             ///< dt D
-  PlaneRotation<N> rotation;  ///< of the spin, by the midpoint rule: Hughes & Winget 1980
-  N compression;              ///< mu = rho / rho0 - 1 at the end of the step
-  N divisor;                  ///< 1 / (1 + implicit(J - 1, tr(dt D)))
+  using Rotation = typename Space::template Rotation<N>;
+  Increment rate;     ///< dt D
+  Rotation rotation;  ///< of the spin, by the midpoint rule: Hughes & Winget 1980
+  N compression;      ///< mu = rho / rho0 - 1 at the end of the step
+  N divisor;          ///< 1 / (1 + implicit(J - 1, tr(dt D)))
 };
 
-/// What a model sees of a particle: references to its columns.
-template <class N>
+/// What a model sees of a particle: references to its columns. Tensor: the deviator of the space.
+template <class N, class Tensor = Deviator<N>>
 struct Point {
   const N& dilation;    ///< J - 1 = rho0 / rho - 1 at the end of the step [1]
   const N& energy;      ///< specific internal energy in the middle of the step [J/kg]
-  Deviator<N>& stress;  ///< deviator of the stress, positive in tension [Pa]
+  Tensor& stress;       ///< deviator of the stress, positive in tension [Pa]
   N& pressure;          ///< positive in compression [Pa]
   N& viscous_pressure;  ///< [Pa]
   N* own;               ///< the model's own columns
@@ -54,8 +55,8 @@ struct Validity {
 };
 
 template <class M, class N, class S = space::PlaneStrain>
-concept MaterialModelOver = requires(const M m, const Point<N>& point, const Strain<N, S>& strain, N n,
-                                     Scalar<N> dt) {
+concept MaterialModelOver = requires(const M m, const Point<N, typename S::template Deviator<N>>& point,
+                                     const Strain<N, S>& strain, N n, Scalar<N> dt) {
   { m.validity() } -> std::same_as<Validity<Scalar<N>>>;
   /// implicit(J - 1, theta), linear in theta: what the work over the step of the pressure at its end, P theta
   /// / (2 rho), takes from this very pressure, as a share of it. Zero for a pressure that does not depend on
@@ -111,6 +112,20 @@ MPM_INLINE Strain<N, Space> strain_over(N& dilation_column, const Gradient<N>& l
           {(det_square - turn_square) * inverse_norm, (turn + turn) * det * inverse_norm},
           -dilation * (inverse_first * det),
           det * (inverse_second * norm)};
+}
+
+/// The same of three axes.
+template <class N, class Space, class Model>
+MPM_INLINE Strain<N, Space> strain_over(N& dilation_column, const FullGradient<N>& l, const Model& model) {
+  using F = Number<N>;
+  // the second of smaller() wins where it is not a number
+  const N dilation = F::smaller(F::all(model.validity().most_dilation),
+                                dilation_column + (1 + dilation_column) * growth_of(l));
+  dilation_column = dilation;
+  const FullGradient<N> middle = midpoint(l);
+  const auto rate = symmetric_part(middle);
+  return {rate, rotation_of_spin(middle), -dilation / (1 + dilation),
+          1 / (1 + model.implicit(dilation, trace(rate)))};
 }
 
 }  // namespace mpm

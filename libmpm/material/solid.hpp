@@ -43,13 +43,13 @@ struct Solid {
     return eos.template implicit<linear_tension>(dilation, theta);
   }
 
-  template <class N, class Space>
-  MPM_INLINE void shear(const Point<N>& p, const Strain<N, Space>& e) const {
+  template <class N, class Tensor, class Space>
+  MPM_INLINE void shear(const Point<N, Tensor>& p, const Strain<N, Space>& e) const {
     Strength::update(strength, p.stress, p.own, e, N(eos.inverse_rho0 * (1 + p.dilation)));
   }
 
-  template <class N, class Space>
-  MPM_INLINE Signal<N> bulk(const Point<N>& p, const Strain<N, Space>& e, Real inverse_dt) const {
+  template <class N, class Tensor, class Space>
+  MPM_INLINE Signal<N> bulk(const Point<N, Tensor>& p, const Strain<N, Space>& e, Real inverse_dt) const {
     const N specific_volume = eos.inverse_rho0 * (1 + p.dilation), growth = trace(e.rate);
     // the pressure of the last step is near enough for the sound speed of viscosity and time step
     const auto at = eos.template response<linear_tension, N>({p.dilation, e.compression}, p.pressure);

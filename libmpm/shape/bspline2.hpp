@@ -32,7 +32,8 @@ struct BSpline2 {
     const double bend = 0.5 * square * inside * inside / (1.0 / 30 + 7.0 / 15 * square * square);
     return {w.value[0] + bend, w.value[1] - 2 * bend, w.value[2] + bend};
   }
-  static void follow(const Grid&, Particles&, std::size_t, const Mat2&) {}
+  template <int axes>
+  static void follow(const BasicGrid<axes>&, BasicParticles<axes>&, std::size_t, const Mat<axes>&) {}
 };
 static_assert(ShapeFunctions<BSpline2>);
 

@@ -20,7 +20,8 @@ struct BSpline3 {
     w.slope = {-0.5 * u * u, -2 * t + 1.5 * t * t, 2 * u - 1.5 * u * u, 0.5 * t * t};
     return w;
   }
-  static void follow(const Grid&, Particles&, std::size_t, const Mat2&) {}
+  template <int axes>
+  static void follow(const BasicGrid<axes>&, BasicParticles<axes>&, std::size_t, const Mat<axes>&) {}
 };
 static_assert(ShapeFunctions<BSpline3>);
 

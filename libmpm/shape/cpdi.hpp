@@ -50,7 +50,7 @@ struct Cpdi {
     CornerStencil s;
     for (int c = 0; c < 4; ++c) {
       const double i = c % 2 == 0 ? -1 : 1, j = c < 2 ? -1 : 1;
-      s.corner[c] = stencil_at<Linear>(grid, particles.position[p] + i * a + j * b, Vec2::Zero());
+      s.corner[c] = stencil_at<Linear, 2>(grid, particles.position[p] + i * a + j * b, Vec2::Zero());
       s.slope[c] = i * along_a + j * along_b;
     }
     return s;

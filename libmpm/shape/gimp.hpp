@@ -41,9 +41,10 @@ struct Gimp {
     const double right = 0.5 * (hat(1 - r + half) + hat(1 - r - half));
     return {left, 1 - (left + right), right};
   }
-  static void follow(const Grid&, Particles& particles, std::size_t p, const Mat2& growth) {
-    particles.half_size[p].x() *= 1 + growth(0, 0);
-    particles.half_size[p].y() *= 1 + growth(1, 1);
+  template <int axes>
+  static void follow(const BasicGrid<axes>&, BasicParticles<axes>& particles, std::size_t p,
+                     const Mat<axes>& growth) {
+    for (int k = 0; k < axes; ++k) particles.half_size[p][k] *= 1 + growth(k, k);
   }
 
  private:

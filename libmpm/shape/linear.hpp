@@ -13,7 +13,8 @@ struct Linear {
     const double d = xi - first;
     return {first, {1 - d, d}, {-1, 1}};
   }
-  static void follow(const Grid&, Particles&, std::size_t, const Mat2&) {}
+  template <int axes>
+  static void follow(const BasicGrid<axes>&, BasicParticles<axes>&, std::size_t, const Mat<axes>&) {}
 };
 static_assert(ShapeFunctions<Linear>);
 

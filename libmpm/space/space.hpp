@@ -1,10 +1,11 @@
 #pragma once
 /// How many of the three dimensions a scene is computed in. A space is a type: a template parameter of the
 /// step, whose differences stand here and behind `has_hoop`.
-#include "libmpm/core/symmetric.hpp"
+#include "libmpm/core/full_symmetric.hpp"
 
 namespace mpm {
 
+/// The spaces of two axes.
 enum class Space {
   plane_strain,  ///< x, y; nothing moves or changes along z. Volumes, masses and energies are per depth
   axisymmetric,  ///< x is the distance from the axis of symmetry, y runs along it. Volumes, masses and
@@ -12,16 +13,21 @@ enum class Space {
 };
 
 /// What two lengths are to two, and three lengths to three: an area, or a volume per radian.
-constexpr int lengths_in_volume(Space space) { return space == Space::axisymmetric ? 3 : 2; }
+constexpr int lengths_in_volume(Space space) { return space == Space::plane_strain ? 2 : 3; }
 
 namespace space {
 
 struct PlaneStrain {
   static constexpr Space value = Space::plane_strain;
+  static constexpr int axes = 2;
   /// Whether motion across the axis strains the material along the hoop, and the stress there drives it.
   static constexpr bool has_hoop = false;
   template <class N>
   using Increment = PlaneIncrement<N>;
+  template <class N>
+  using Deviator = mpm::Deviator<N>;
+  template <class N>
+  using Rotation = PlaneRotation<N>;
 };
 
 /// With r = x and v_r = v_x:
@@ -31,12 +37,28 @@ struct PlaneStrain {
 /// Source: Nairn & Guilkey 2015, Int. J. Numer. Meth. Engng 101, 127. The axis is a mirror.
 struct Axisymmetric {
   static constexpr Space value = Space::axisymmetric;
+  static constexpr int axes = 2;
   static constexpr bool has_hoop = true;
   template <class N>
   using Increment = AxialIncrement<N>;
+  template <class N>
+  using Deviator = mpm::Deviator<N>;
+  template <class N>
+  using Rotation = PlaneRotation<N>;
 };
 
-/// Calls `use` with the type of a space.
+struct ThreeD {
+  static constexpr int axes = 3;
+  static constexpr bool has_hoop = false;
+  template <class N>
+  using Increment = FullIncrement<N>;
+  template <class N>
+  using Deviator = FullDeviator<N>;
+  template <class N>
+  using Rotation = FullRotation<N>;
+};
+
+/// Calls `use` with the type of a space of two axes.
 template <class Use>
 auto with_space(Space space, Use use) {
   return space == Space::axisymmetric ? use(Axisymmetric{}) : use(PlaneStrain{});

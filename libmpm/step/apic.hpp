@@ -20,24 +20,27 @@ namespace mpm {
 /// Source: Jiang, Schroeder, Selle, Teran, Stomakhin 2015, ACM Trans. Graph. 34, 51.
 struct Apic {
   static constexpr bool affine = true;
-  static void start(Particles& ps) {
+  template <int axes>
+  static void start(BasicParticles<axes>& ps) {
     if (ps.affine.size() == ps.size()) return;
-    ps.affine.assign(ps.size(), Mat2::Zero());
+    ps.affine.assign(ps.size(), Mat<axes>::Zero());
     ps.affine_energy.assign(ps.size(), 0);
   }
-  static Vec2 brought(const Particles& ps, std::size_t p, const Vec2& offset) {
+  template <int axes>
+  static Vec<axes> brought(const BasicParticles<axes>& ps, std::size_t p, const Vec<axes>& offset) {
     return ps.velocity[p] + ps.affine[p] * offset;
   }
 
   /// Velocities in here are relative to the particle's old one, which loses no digits.
+  template <int axes>
   struct Sums {
-    Vec2 own_velocity, mean = Vec2::Zero();
-    Mat2 gradient, moment = Mat2::Zero(), second = Mat2::Zero();  ///< C_p, B_p, D_p
+    Vec<axes> own_velocity, mean = Vec<axes>::Zero();
+    Mat<axes> gradient, moment = Mat<axes>::Zero(), second = Mat<axes>::Zero();  ///< C_p, B_p, D_p
     double dt, square = 0, spread = 0;
-    Sums(const Particles& ps, std::size_t p, double step)
+    Sums(const BasicParticles<axes>& ps, std::size_t p, double step)
         : own_velocity(ps.velocity[p]), gradient(ps.affine[p]), dt(step) {}
-    void add(const Node& n, double w, const Vec2& r) {
-      const Vec2 v = n.velocity - own_velocity;
+    void add(const BasicNode<axes>& n, double w, const Vec<axes>& r) {
+      const Vec<axes> v = n.velocity - own_velocity;
       mean += w * v;
       square += w * v.squaredNorm();
       moment += (w * v) * r.transpose();
@@ -45,9 +48,10 @@ struct Apic {
       spread += w * (gradient * r - (v - dt * n.acceleration)).squaredNorm();
     }
   };
-  double give(const Sums& s, Particles& ps, std::size_t p, double /*dt*/) const {
+  template <int axes>
+  double give(const Sums<axes>& s, BasicParticles<axes>& ps, std::size_t p, double /*dt*/) const {
     const double brought = 0.5 * (s.gradient * s.second).cwiseProduct(s.gradient).sum();
-    const Mat2 fit = s.moment * inverse_or_zero(s.second);
+    const Mat<axes> fit = s.moment * inverse_or_zero(s.second);
     const double kept = 0.5 * fit.cwiseProduct(s.moment).sum();
     const double left = ps.affine_energy[p] - brought;
     ps.velocity[p] += s.mean;
@@ -64,6 +68,16 @@ struct Apic {
     if (!(determinant > std::numeric_limits<double>::epsilon() * trace * trace)) return Mat2::Zero();
     Mat2 inverse;
     inverse << d(1, 1), -d(0, 1), -d(1, 0), d(0, 0);
+    return inverse / determinant;
+  }
+  static Mat3 inverse_or_zero(const Mat3& d) {
+    const Vec3 a = d.col(0), b = d.col(1), c = d.col(2);
+    Mat3 inverse;  // the adjugate: rows b x c, c x a, a x b
+    inverse << b.y() * c.z() - b.z() * c.y(), b.z() * c.x() - b.x() * c.z(), b.x() * c.y() - b.y() * c.x(),
+        c.y() * a.z() - c.z() * a.y(), c.z() * a.x() - c.x() * a.z(), c.x() * a.y() - c.y() * a.x(),
+        a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x();
+    const double determinant = inverse.row(0).dot(a), trace = d.trace();
+    if (!(determinant > std::numeric_limits<double>::epsilon() * trace * trace * trace)) return Mat3::Zero();
     return inverse / determinant;
   }
 };

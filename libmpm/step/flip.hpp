@@ -11,17 +11,22 @@ namespace mpm {
 struct Flip {
   /// Whether what a particle brings to a node depends on where the node is.
   static constexpr bool affine = false;
-  static void start(Particles&) {}
+  template <int axes>
+  static void start(BasicParticles<axes>&) {}
   /// The velocity that a particle brings to a node [m/s].
-  static Vec2 brought(const Particles& ps, std::size_t p, const Vec2& /*offset*/) { return ps.velocity[p]; }
+  template <int axes>
+  static Vec<axes> brought(const BasicParticles<axes>& ps, std::size_t p, const Vec<axes>& /*offset*/) {
+    return ps.velocity[p];
+  }
 
   /// Sums over the nodes of one particle.
+  template <int axes>
   struct Sums {
-    Vec2 acceleration = Vec2::Zero();
+    Vec<axes> acceleration = Vec<axes>::Zero();
     double square = 0;
-    Sums(const Particles&, std::size_t, double /*dt*/) {}
+    Sums(const BasicParticles<axes>&, std::size_t, double /*dt*/) {}
     /// offset: from the particle to the node [m]; zero unless `affine`.
-    void add(const Node& n, double w, const Vec2& /*offset*/) {
+    void add(const BasicNode<axes>& n, double w, const Vec<axes>& /*offset*/) {
       acceleration += w * n.acceleration;
       square += w * n.acceleration.squaredNorm();
     }
@@ -29,7 +34,8 @@ struct Flip {
   };
   /// Changes the particle's velocity. Returns the kinetic energy that the way over the grid has cost, which
   /// stays as heat [J/kg].
-  double give(const Sums& s, Particles& ps, std::size_t p, double dt) const {
+  template <int axes>
+  double give(const Sums<axes>& s, BasicParticles<axes>& ps, std::size_t p, double dt) const {
     ps.velocity[p] += dt * s.acceleration;
     return s.heat(dt);
   }

@@ -16,26 +16,32 @@ struct FlipPic {
   double pic_fraction = 0;  ///< f, a step [1]
 
   static constexpr bool affine = false;
-  static void start(Particles&) {}
-  static Vec2 brought(const Particles& ps, std::size_t p, const Vec2&) { return ps.velocity[p]; }
+  template <int axes>
+  static void start(BasicParticles<axes>&) {}
+  template <int axes>
+  static Vec<axes> brought(const BasicParticles<axes>& ps, std::size_t p, const Vec<axes>&) {
+    return ps.velocity[p];
+  }
 
+  template <int axes>
   struct Sums {
-    Flip::Sums flip;
-    Vec2 own_velocity, before = Vec2::Zero();
+    Flip::Sums<axes> flip;
+    Vec<axes> own_velocity, before = Vec<axes>::Zero();
     double dt, spread = 0, mixed = 0;
-    Sums(const Particles& ps, std::size_t p, double step)
+    Sums(const BasicParticles<axes>& ps, std::size_t p, double step)
         : flip(ps, p, step), own_velocity(ps.velocity[p]), dt(step) {}
-    void add(const Node& n, double w, const Vec2& offset) {
+    void add(const BasicNode<axes>& n, double w, const Vec<axes>& offset) {
       flip.add(n, w, offset);
-      const Vec2 u = n.velocity - dt * n.acceleration;
+      const Vec<axes> u = n.velocity - dt * n.acceleration;
       before += w * u;
       spread += w * (u - own_velocity).squaredNorm();
       mixed += w * u.dot(n.acceleration);
     }
   };
-  double give(const Sums& s, Particles& ps, std::size_t p, double dt) const {
+  template <int axes>
+  double give(const Sums<axes>& s, BasicParticles<axes>& ps, std::size_t p, double dt) const {
     const double f = pic_fraction;
-    const Vec2 d = s.before - s.own_velocity;
+    const Vec<axes> d = s.before - s.own_velocity;
     ps.velocity[p] += dt * s.flip.acceleration + f * d;
     return s.flip.heat(dt) + f * s.spread - 0.5 * f * f * d.squaredNorm() +
            f * dt * (s.mixed - s.before.dot(s.flip.acceleration));

@@ -19,35 +19,37 @@ namespace mpm {
 /// Checked by tests/libmpm/step_test.cpp. Returns the second and third terms, summed [J/m]. In axisymmetry
 ///   L_zz = sum v_r,i h_ip / r_p   goes to hoop_rate, and sigma_zz times it, of the middle, joins the work.
 template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
-double g2p(Particles& particles, const Grid& grid, double dt, std::vector<Mat2>& velocity_gradient,
-           const Transfer& transfer = {}, [[maybe_unused]] std::vector<double>* hoop_rate = nullptr) {
+double g2p(BasicParticles<Space::axes>& particles, const BasicGrid<Space::axes>& grid, double dt,
+           std::vector<Mat<Space::axes>>& velocity_gradient, const Transfer& transfer = {},
+           [[maybe_unused]] std::vector<double>* hoop_rate = nullptr) {
+  constexpr int axes = Space::axes;
   double transfer_heat = 0;
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const auto stencil = stencil_of<Shape, Space>(grid, particles, p);
-    typename Transfer::Sums sums(particles, p, dt);
-    Vec2 velocity = Vec2::Zero();
-    Mat2 gradient = Mat2::Zero();
+    typename Transfer::template Sums<axes> sums(particles, p, dt);
+    Vec<axes> velocity = Vec<axes>::Zero();
+    Mat<axes> gradient = Mat<axes>::Zero();
     double power = 0, contact = 0;
     [[maybe_unused]] double hoop_velocity = 0;
-    const PlaneTensor stress = particles.stress(p);
+    const Tensor<axes> stress = particles.stress(p);
     [[maybe_unused]] const double inverse_radius = 1 / particles.position[p].x();
-    stencil.for_each(grid, [&](const Node& n, double w, const Vec2& g, [[maybe_unused]] double hoop = 0) {
-      sums.add(n, w, offset_of<Transfer>(grid, particles, p, n));
-      velocity += w * n.velocity;
-      gradient += n.velocity * g.transpose();
-      const Vec2 traction(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
-      power += traction.dot(n.velocity - 0.5 * dt * n.acceleration);
-      contact += w * n.contact_heat;
-      if constexpr (Space::has_hoop) {
-        hoop_velocity += hoop * n.velocity.x();
-        power += stress.zz * inverse_radius * hoop * (n.velocity.x() - 0.5 * dt * n.acceleration.x());
-      }
-    });
+    stencil.for_each(
+        grid, [&](const auto& n, double w, const Vec<axes>& g, [[maybe_unused]] double hoop = 0) {
+          sums.add(n, w, offset_of<Transfer>(grid, particles, p, n));
+          velocity += w * n.velocity;
+          gradient += n.velocity * g.transpose();
+          power += product(stress, g).dot(n.velocity - 0.5 * dt * n.acceleration);
+          contact += w * n.contact_heat;
+          if constexpr (Space::has_hoop) {
+            hoop_velocity += hoop * n.velocity.x();
+            power += stress.zz * inverse_radius * hoop * (n.velocity.x() - 0.5 * dt * n.acceleration.x());
+          }
+        });
     const double work = dt * particles.volume(p) * power;
     const double heat = particles.mass[p] * (transfer.give(sums, particles, p, dt) + contact);
     particles.energy[p] += (work + heat) / particles.mass[p];
     particles.position[p] += dt * velocity;
-    Shape::follow(grid, particles, p, dt * gradient);
+    Shape::follow(grid, particles, p, Mat<axes>(dt * gradient));
     velocity_gradient[p] = gradient;
     if constexpr (Space::has_hoop) (*hoop_rate)[p] = hoop_velocity * inverse_radius;
     transfer_heat += heat;

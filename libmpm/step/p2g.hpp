@@ -6,10 +6,11 @@
 namespace mpm {
 
 /// From a particle to a node [m]; zero where the transfer does not ask.
-template <class Transfer>
-Vec2 offset_of(const Grid& grid, const Particles& particles, std::size_t p, const Node& n) {
+template <class Transfer, int axes>
+Vec<axes> offset_of(const BasicGrid<axes>& grid, const BasicParticles<axes>& particles, std::size_t p,
+                    const BasicNode<axes>& n) {
   if constexpr (Transfer::affine) return grid.position(n) - particles.position[p];
-  return Vec2::Zero();
+  return Vec<axes>::Zero();
 }
 
 /// Particles to grid. With w_ip the weight of particle p at node i:
@@ -20,16 +21,17 @@ Vec2 offset_of(const Grid& grid, const Particles& particles, std::size_t p, cons
 /// v_p may depend on the node: it is what the transfer brings there. In axisymmetry the hoop stress gives
 ///   f_r,i -= V_p sigma_zz h_ip / r_p,   see space/space.hpp.
 template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
-void p2g(const Particles& particles, Grid& grid) {
+void p2g(const BasicParticles<Space::axes>& particles, BasicGrid<Space::axes>& grid) {
+  using Vector = Vec<Space::axes>;
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const auto stencil = stencil_of<Shape, Space>(grid, particles, p);
     const double mass = particles.mass[p];
-    const PlaneTensor stress = particles.volume(p) * particles.stress(p);
+    const Tensor<Space::axes> stress = particles.volume(p) * particles.stress(p);
     [[maybe_unused]] const double hoop_stress = stress.zz / particles.position[p].x();
-    stencil.for_each(grid, [&](Node& n, double w, const Vec2& g, [[maybe_unused]] double hoop = 0) {
+    stencil.for_each(grid, [&](auto& n, double w, const Vector& g, [[maybe_unused]] double hoop = 0) {
       n.mass += w * mass;
       n.velocity += w * (mass * Transfer::brought(particles, p, offset_of<Transfer>(grid, particles, p, n)));
-      n.acceleration -= Vec2(stress.xx * g.x() + stress.xy * g.y(), stress.xy * g.x() + stress.yy * g.y());
+      n.acceleration -= product(stress, g);
       if constexpr (Space::has_hoop) n.acceleration.x() -= hoop * hoop_stress;
     });
   }

@@ -10,8 +10,10 @@
 
 namespace mpm {
 
-/// Sums over the particles after a step. Per metre of depth; in axisymmetry per radian.
-struct StepReport {
+/// Sums over the particles after a step. Per metre of depth; in axisymmetry per radian; of three axes whole,
+/// in kg and J.
+template <int axes>
+struct BasicStepReport {
   /// Fastest signal against the grid, sound + viscosity + motion [m/s]; NaN if a particle's state is not
   /// finite or a particle is outside the grid.
   double largest_signal = 0;
@@ -20,21 +22,25 @@ struct StepReport {
   double overstrained_mass = 0;  ///< of particles outside its densities, Validity [kg/m]
   double kinetic_energy = 0;     ///< [J/m]
   double transfer_heat = 0;  ///< kinetic energy that the transfer took and left as heat in this step [J/m]
-  Vec2 wall_impulse = Vec2::Zero();  ///< that all walls gave in this step [kg/s]
+  Vec<axes> wall_impulse = Vec<axes>::Zero();  ///< that all walls gave in this step [kg/s]
 };
+using StepReport = BasicStepReport<2>;
 
 /// Everything that a step changes.
-struct State {
-  Particles particles;
-  Grid grid;
-  std::vector<Mat2> velocity_gradient;  ///< of each particle, over the last step [1/s]
-  double time = 0;                      ///< [s]
+template <int axes>
+struct BasicState {
+  BasicParticles<axes> particles;
+  BasicGrid<axes> grid;
+  std::vector<Mat<axes>> velocity_gradient;  ///< of each particle, over the last step [1/s]
+  double time = 0;                           ///< [s]
   std::int64_t step = 0;
-  Floor floor = Floor::impact_wall;   ///< what y = origin of the grid is
-  Space space = Space::plane_strain;  ///< in axisymmetry x = 0, the axis, is the left side of the grid
+  Floor floor = Floor::impact_wall;  ///< what y = origin of the grid is
+  /// Of two axes; in axisymmetry x = 0, the axis, is the left side of the grid.
+  Space space = Space::plane_strain;
   std::vector<double>
       hoop_rate{};  ///< v_r / r of each particle, over the last step [1/s]; empty without hoop
 };
+using State = BasicState<2>;
 
 /// Of a particle, in the plane of the grid [m^2].
 inline double area(const State& s, std::size_t p) {

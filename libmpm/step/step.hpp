@@ -33,17 +33,16 @@
 namespace mpm {
 
 template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
-StepReport reference_step(State& state, const MaterialModel& model, double dt,
-                          const Transfer& transfer = {}) {
-  StepReport report;
-  Grid& grid = state.grid;
+BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, const MaterialModel& model,
+                                            double dt, const Transfer& transfer = {}) {
+  static_assert(ShapeIn<Shape, Space>);
+  BasicStepReport<Space::axes> report;
+  auto& grid = state.grid;
   double highest = grid.origin().y();
-  const Vec2 low = grid.origin() - 0.5 * grid.cell();
-  const double right = grid.origin().x() + (grid.columns() + 0.5) * grid.cell().x();
   bool inside = true;
-  for (const Vec2& x : state.particles.position) {
+  for (const auto& x : state.particles.position) {
     highest = std::max(highest, x.y());
-    inside &= x.x() > low.x() && x.x() < right && x.y() > low.y();
+    inside &= grid.holds(x);
   }
   if (!inside) {  // or not a number: no node to write to
     report.largest_signal = std::numeric_limits<double>::quiet_NaN();
@@ -57,7 +56,7 @@ StepReport reference_step(State& state, const MaterialModel& model, double dt,
   grid.clear();
 
   p2g<Shape, Transfer, Space>(state.particles, grid);
-  for (Node& n : grid.nodes()) n.own_mass = n.mass;
+  for (auto& n : grid.nodes()) n.own_mass = n.mass;
   reflect_sides(grid, top);
   if (state.floor == Floor::mirror) reflect_floor(grid);
   update_grid(grid, dt);

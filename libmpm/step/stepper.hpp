@@ -15,10 +15,13 @@ struct StepTimes {
 
 /// Advances a State. A stepper may keep the particles and the nodes in a form of its own; then what the State
 /// holds is as old as the last refresh.
-class Stepper {
+template <int axes>
+class BasicStepper {
  public:
-  virtual ~Stepper() = default;
-  virtual StepReport step(State&, double dt) = 0;
+  using State = BasicState<axes>;
+
+  virtual ~BasicStepper() = default;
+  virtual BasicStepReport<axes> step(State&, double dt) = 0;
 
   /// Brings all of state.particles up to date, in the order in which they were built.
   virtual void refresh_particles(State&) {}
@@ -40,5 +43,6 @@ class Stepper {
   /// Memory that the stepper keeps beside the State [bytes].
   virtual std::size_t memory() const { return 0; }
 };
+using Stepper = BasicStepper<2>;
 
 }  // namespace mpm

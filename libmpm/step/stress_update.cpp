@@ -10,26 +10,36 @@
 namespace mpm {
 namespace {
 
+Gradient<double> gradient_of(const Mat2& l) { return {l(0, 0), l(0, 1), l(1, 0), l(1, 1)}; }
+FullGradient<double> gradient_of(const Mat3& l) {
+  return {l(0, 0), l(0, 1), l(0, 2), l(1, 0), l(1, 1), l(1, 2), l(2, 0), l(2, 1), l(2, 2)};
+}
+
 template <class Space, class Model>
-void update(State& state, const Model& model, double dt, StepReport& report) {
-  Particles& ps = state.particles;
+void update(BasicState<Space::axes>& state, const Model& model, double dt,
+            BasicStepReport<Space::axes>& report) {
+  BasicParticles<Space::axes>& ps = state.particles;
+  using Deviator = typename Space::template Deviator<double>;
   static_assert(MaterialModelOver<Model, double, Space> && Model::own_columns <= most_own_columns);
   const Validity<double> valid = model.validity();
   double lowest = 0, highest = 0, fastest = 0, overpressed = 0, overstrained = 0, kinetic = 0;
   bool finite = true;  // std::max would lose a NaN
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    const Mat2 l = dt * state.velocity_gradient[p];
-    double hoop = 0;
-    if constexpr (Space::has_hoop) hoop = dt * state.hoop_rate[p];
-    const auto strain =
-        strain_over<double, Space>(ps.dilation[p], {l(0, 0), l(0, 1), l(1, 0), l(1, 1)}, model, hoop);
-    Deviator<double> s{ps.deviator[p].xx, ps.deviator[p].yy, ps.deviator[p].xy};
+    const auto strain = [&] {
+      const Mat<Space::axes> l = dt * state.velocity_gradient[p];
+      if constexpr (Space::has_hoop)
+        return strain_over<double, Space>(ps.dilation[p], gradient_of(l), model, dt * state.hoop_rate[p]);
+      else
+        return strain_over<double, Space>(ps.dilation[p], gradient_of(l), model);
+    }();
+    Deviator s = numbers_of(ps.deviator[p]);
     double own[most_own_columns] = {};
     read_own(ps, p, Model::own_columns, own);
-    const Point<double> point{ps.dilation[p], ps.energy[p], s, ps.pressure[p], ps.viscous_pressure[p], own};
+    const Point<double, Deviator> point{ps.dilation[p], ps.energy[p],           s,
+                                        ps.pressure[p], ps.viscous_pressure[p], own};
     model.shear(point, strain);
     const Signal<double> speeds = model.bulk(point, strain, 1 / dt);
-    ps.deviator[p] = {s.xx, s.yy, -(s.xx + s.yy), s.xy};
+    ps.deviator[p] = tensor_of(s);
     write_own(ps, p, Model::own_columns, own);
 
     const double speed = ps.velocity[p].cwiseAbs().maxCoeff(), viscous = speeds.viscous;
@@ -53,10 +63,18 @@ void update(State& state, const Model& model, double dt, StepReport& report) {
 
 }  // namespace
 
-void update_stress(State& state, const MaterialModel& material, double dt, StepReport& report) {
+template <int axes>
+void update_stress(BasicState<axes>& state, const MaterialModel& material, double dt,
+                   BasicStepReport<axes>& report) {
   with_model<double>(material, [&](const auto& model, std::size_t) {
-    space::with_space(state.space, [&]<class Space>(Space) { update<Space>(state, model, dt, report); });
+    if constexpr (axes == 3)
+      update<space::ThreeD>(state, model, dt, report);
+    else
+      space::with_space(state.space, [&]<class Space>(Space) { update<Space>(state, model, dt, report); });
   });
 }
+
+template void update_stress(BasicState<2>&, const MaterialModel&, double, BasicStepReport<2>&);
+template void update_stress(BasicState<3>&, const MaterialModel&, double, BasicStepReport<3>&);
 
 }  // namespace mpm

@@ -6,6 +6,7 @@ namespace mpm {
 /// New density, deviator, pressure and viscous pressure of every particle from its velocity gradient, by its
 /// material model (material/model.hpp). Fills the report's signal, dilations, kinetic energy and the mass
 /// beyond the model's validity.
-void update_stress(State&, const MaterialModel&, double dt, StepReport&);
+template <int axes>
+void update_stress(BasicState<axes>&, const MaterialModel&, double dt, BasicStepReport<axes>&);
 
 }  // namespace mpm

@@ -55,8 +55,8 @@ struct Elastic {
   static constexpr int own_columns = 0;
   static bool fits(const J2& j2) { return std::isinf(j2.yield_stress); }
 
-  template <class Real, class N, class Space>
-  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N*, const Strain<N, Space>& e, N) {
+  template <class Real, class N, class Tensor, class Space>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N*, const Strain<N, Space>& e, N) {
     s = sum(rotated(e.rotation, s), 2 * j2.shear_modulus, deviator(e.rate));
   }
 };
@@ -66,11 +66,11 @@ struct IsotropicHardening {
   static constexpr int own_columns = 2;
   static bool fits(const J2& j2) { return !Elastic::fits(j2) && !j2.kinematic; }
 
-  template <class Real, class N, class Space>
-  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N* own, const Strain<N, Space>& e,
+  template <class Real, class N, class Tensor, class Space>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N* own, const Strain<N, Space>& e,
                                 N specific_volume) {
     const Real twice = 2 * j2.shear_modulus;
-    const Deviator<N> trial = sum(rotated(e.rotation, s), twice, deviator(e.rate));
+    const Tensor trial = sum(rotated(e.rotation, s), twice, deviator(e.rate));
     const N mises = Number<N>::square_root(3 * second_invariant(trial));
     const N excess =
         Number<N>::larger(mises - (j2.yield_stress + j2.isotropic_modulus * own[own_plastic_strain]), N{});
@@ -84,18 +84,20 @@ struct IsotropicHardening {
   }
 };
 
-/// ... and kinematic hardening. Own columns: those, and the back stress xx, yy, xy [Pa].
+/// ... and kinematic hardening. Own columns: those, and the back stress xx, yy, xy [Pa]; of three axes xz, yz
+/// too, which own_columns does not count.
 struct KinematicHardening {
   static constexpr int own_columns = 5;
   static bool fits(const J2& j2) { return !Elastic::fits(j2) && j2.kinematic; }
 
-  template <class Real, class N, class Space>
-  static MPM_INLINE void update(const BasicJ2<Real>& j2, Deviator<N>& s, N* own, const Strain<N, Space>& e,
+  template <class Real, class N, class Tensor, class Space>
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N* own, const Strain<N, Space>& e,
                                 N specific_volume) {
     const Real twice = 2 * j2.shear_modulus;
-    const Deviator<N> alpha =
-        rotated(e.rotation, {own[own_back_stress], own[own_back_stress + 1], own[own_back_stress + 2]});
-    const Deviator<N> relative = sum(rotated(e.rotation, s), twice, deviator(e.rate)) - alpha;
+    Tensor alpha;
+    load(own + own_back_stress, alpha);
+    alpha = rotated(e.rotation, alpha);
+    const Tensor relative = sum(rotated(e.rotation, s), twice, deviator(e.rate)) - alpha;
     const N mises = Number<N>::square_root(3 * second_invariant(relative));
     const N excess =
         Number<N>::larger(mises - (j2.yield_stress + j2.isotropic_modulus * own[own_plastic_strain]), N{});
@@ -106,8 +108,7 @@ struct KinematicHardening {
     const N work =
         flow * contract(s, relative) - Real(0.5) * (j2.isotropic_modulus + j2.kinematic_modulus) * dp * dp;
     const N moved = j2.kinematic_modulus / Real(1.5) * flow;
-    const Deviator<N> back = sum(alpha, moved, relative);
-    own[own_back_stress] = back.xx, own[own_back_stress + 1] = back.yy, own[own_back_stress + 2] = back.xy;
+    store(sum(alpha, moved, relative), own + own_back_stress);
     own[own_plastic_strain] += dp;
     own[own_plastic_work] += work * specific_volume;
   }
