@@ -8,7 +8,7 @@
 namespace mpmstudy {
 namespace {
 
-const std::string& text(const SqlValue& value) {
+const std::string& word(const SqlValue& value) {
   static const std::string none;
   const auto* found = std::get_if<std::string>(&value);
   return found ? *found : none;
@@ -25,7 +25,7 @@ std::map<std::string, JobStatus> job_states(const std::filesystem::path& results
   std::map<std::string, JobStatus> states;
   if (!has_catalog(results)) return states;
   for (const auto& row : query(results, "SELECT DISTINCT key, status FROM jobs").rows)
-    states.emplace(text(row[0]), job_status_from(text(row[1])));
+    states.emplace(word(row[0]), job_status_from(word(row[1])));
   return states;
 }
 
@@ -36,7 +36,7 @@ std::vector<std::string> keys_of(const std::filesystem::path& results, const std
   for (const auto& row :
        query(results, "SELECT key FROM jobs WHERE study = ?1 AND status = ?2 ORDER BY position", parameters)
            .rows)
-    keys.push_back(text(row[0]));
+    keys.push_back(word(row[0]));
   return keys;
 }
 
@@ -53,7 +53,7 @@ std::vector<Decision> decisions_of(const std::filesystem::path& results, const s
                                    "m.job_id WHERE j.key = ?1 ORDER BY s.name",
                                key)
                              .rows)
-    decisions.push_back({text(row[0]), text(row[1])});
+    decisions.push_back({word(row[0]), word(row[1])});
   return decisions;
 }
 
@@ -63,7 +63,7 @@ std::vector<JobEvent> events_of(const std::filesystem::path& results, const std:
        about(results,
              "SELECT at, from_status, to_status, \"by\", reason FROM events WHERE key = ?1 ORDER BY id", key)
            .rows)
-    events.push_back({text(row[0]), text(row[1]), text(row[2]), text(row[3]), text(row[4])});
+    events.push_back({word(row[0]), word(row[1]), word(row[2]), word(row[3]), word(row[4])});
   return events;
 }
 

@@ -26,7 +26,6 @@
 namespace mpmstudy {
 namespace {
 
-
 /// A job of a study file, and the study that says where its values stand.
 struct Wanted {
   Study study;

@@ -21,7 +21,7 @@ struct OnCells {
 /// quantity -> what the cells under one job have of it.
 using Ladder = std::map<std::string, OnCells>;
 
-std::optional<double> number(const SqlValue& value) {
+std::optional<double> finite_real(const SqlValue& value) {
   const auto* real = std::get_if<double>(&value);
   return real && std::isfinite(*real) ? std::optional(*real) : std::nullopt;
 }
@@ -34,11 +34,11 @@ std::map<std::string, Ladder> read_ladders(const Study& study, const std::filesy
                           std::span(&name, 1));
   std::map<std::string, Ladder> ladders;
   for (const auto& row : rows.rows) {
-    const auto cell = number(row[2]), value = number(row[4]);
+    const auto cell = finite_real(row[2]), value = finite_real(row[4]);
     if (!cell || !value) continue;
     const std::string& key = std::get<std::string>(row[0]);
     OnCells& measured = ladders[key][std::get<std::string>(row[3])];
-    measured.points.push_back({*cell, *value, std::abs(number(row[6]).value_or(0))});
+    measured.points.push_back({*cell, *value, std::abs(finite_real(row[6]).value_or(0))});
     measured.unit = std::get<std::string>(row[5]);
     measured.at_finest = measured.at_finest || std::get<std::string>(row[1]) == key;
   }
