@@ -165,9 +165,9 @@ std::string how(int status) {
 }
 
 /// The runner's end of a job's socket.
-class Answer {
+class WireAnswer {
  public:
-  explicit Answer(Socket socket) : socket_(std::move(socket)) {}
+  explicit WireAnswer(Socket socket) : socket_(std::move(socket)) {}
 
   /// Reads what is there, waits at most this long. False when the other end is closed.
   bool read(std::chrono::milliseconds wait) {
@@ -260,7 +260,7 @@ Attempt JobServer::attempt(const Job& job, const AttemptContext& context) {
       return {Attempt::End::storage, {}, "the process that starts jobs is gone"};
   }
   ends[1].reset();
-  Answer answer(std::move(ends[0]));
+  WireAnswer answer(std::move(ends[0]));
 
   std::optional<Attempt> attempt;
   mpm::Progress at{};
