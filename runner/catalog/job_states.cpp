@@ -8,12 +8,6 @@
 namespace mpmstudy {
 namespace {
 
-const std::string& word(const SqlValue& value) {
-  static const std::string none;
-  const auto* found = std::get_if<std::string>(&value);
-  return found ? *found : none;
-}
-
 Rows about(const std::filesystem::path& results, const std::string& sql, const std::string& parameter) {
   const SqlValue value = parameter;
   return query(results, sql, std::span(&value, 1));
@@ -24,8 +18,8 @@ Rows about(const std::filesystem::path& results, const std::string& sql, const s
 std::map<std::string, JobStatus> job_states(const std::filesystem::path& results) {
   std::map<std::string, JobStatus> states;
   if (!has_catalog(results)) return states;
-  for (const auto& row : query(results, "SELECT DISTINCT key, status FROM jobs").rows)
-    states.emplace(word(row[0]), job_status_from(word(row[1])));
+  for (const auto& row : query(results, "SELECT key, status FROM job").rows)
+    states.emplace(text_of(row[0]), job_status_from(text_of(row[1])));
   return states;
 }
 
@@ -36,7 +30,7 @@ std::vector<std::string> keys_of(const std::filesystem::path& results, const std
   for (const auto& row :
        query(results, "SELECT key FROM jobs WHERE study = ?1 AND status = ?2 ORDER BY position", parameters)
            .rows)
-    keys.push_back(word(row[0]));
+    keys.push_back(text_of(row[0]));
   return keys;
 }
 
@@ -53,7 +47,7 @@ std::vector<Decision> decisions_of(const std::filesystem::path& results, const s
                                    "m.job_id WHERE j.key = ?1 ORDER BY s.name",
                                key)
                              .rows)
-    decisions.push_back({word(row[0]), word(row[1])});
+    decisions.push_back({text_of(row[0]), text_of(row[1])});
   return decisions;
 }
 
@@ -63,7 +57,7 @@ std::vector<JobEvent> events_of(const std::filesystem::path& results, const std:
        about(results,
              "SELECT at, from_status, to_status, \"by\", reason FROM events WHERE key = ?1 ORDER BY id", key)
            .rows)
-    events.push_back({word(row[0]), word(row[1]), word(row[2]), word(row[3]), word(row[4])});
+    events.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), text_of(row[3]), text_of(row[4])});
   return events;
 }
 

@@ -156,6 +156,17 @@ SqlValue value_of(sqlite3_stmt* s, int i) {
 
 }  // namespace
 
+std::string text_of(const SqlValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text ? *text : "";
+}
+
+std::optional<double> number_of(const SqlValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
 std::size_t Rows::column(const std::string& name) const {
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) throw CatalogError("catalog: there is no column '" + name + "'");

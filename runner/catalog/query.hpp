@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -13,6 +14,11 @@ namespace mpmstudy {
 
 /// null, integer, real, text; a blob comes as text of hexadecimal digits.
 using SqlValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+/// "" for what is no text.
+std::string text_of(const SqlValue&);
+/// Empty for what is no number.
+std::optional<double> number_of(const SqlValue&);
 
 /// Takes rows as they come.
 class RowSink {

@@ -40,11 +40,6 @@ std::string column_of_jobs(const std::string& parameter) {
   return std::string(quantity ? quantity->column : mpm::find_choice(parameter)->column);
 }
 
-std::string text_of(const SqlValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text ? *text : "";
-}
-
 /// "impact_speed = 900 m/s, wall_thickness = 1 um"
 std::string label(const std::vector<std::string>& names, const std::vector<SqlValue>& row,
                   std::size_t first) {

@@ -69,17 +69,6 @@ std::string column_of_jobs(const std::string& parameter) {
   return std::string(mpm::find_choice(parameter)->column);
 }
 
-std::string text_of(const SqlValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text ? *text : "";
-}
-
-std::optional<double> number_of(const SqlValue& value) {
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::nullopt;
-}
-
 /// What the table's rows are asked by: key, status, outcome, flags, then parameters, then value and error of
 /// each result.
 std::string select(const Study& study, const std::vector<Result>& results) {

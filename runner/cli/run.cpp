@@ -92,14 +92,6 @@ void print_studies(const std::vector<Study>& studies, const std::map<std::string
   if (!quiet) fmt::print("\n");
 }
 
-/// The jobs of the plans, each to the study of its name.
-void add_labels(JobLabels& labels, const std::vector<Study>& studies,
-                const std::vector<PlannedStudy>& planned) {
-  for (const auto& one : planned)
-    for (std::size_t i = 0; i < studies.size(); ++i)
-      if (studies[i].name == one.plan.study) labels.add(all_jobs(one.plan), i);
-}
-
 ExecutorOptions executor_options(const RunOptions& options) {
   ExecutorOptions executor;
   executor.results = options.results;
@@ -224,8 +216,10 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   if (options.only.empty()) warn_and_ask(options, studies, planned, cost);
   if (options.engine == "slurm") return submit_studies(options, studies, planned, seams);
   JobLabels labels(studies);
-  add_labels(labels, studies, planned);
-  if (options.dry_run) return print_intent(options, studies, planned, cost, labels);
+  if (options.dry_run) {
+    for (std::size_t i = 0; i < planned.size(); ++i) labels.add(jobs_to_run(planned[i]), i);
+    return print_intent(options, studies, planned, cost, labels);
+  }
 
   const ExecutorOptions executor = executor_options(options);
   const SignalGuard signals;

@@ -78,6 +78,10 @@ class Engine {
       else
         execute(std::move(to_run));
     }
+    // A search that waits though all that it asked for was run: another run has taken its jobs away.
+    if (report_.left() == 0)
+      for (const StudyRun& run : runs_)
+        if (run.search()) report_.executed.untouched += run.search()->waits_for();
     if (report_.left() == 0) close_audits();
     report_.signal = flag_.signal();
     status_.run_finished(end());
@@ -85,26 +89,25 @@ class Engine {
   }
 
  private:
-  void add(PlannedStudy study, std::size_t place) {
-    runs_.emplace_back(std::move(study));
+  void add(const PlannedStudy& study, std::size_t place) {
+    runs_.emplace_back(study);
     places_.push_back(place);
   }
 
   /// False if no study wants any more.
   bool ask_all(std::vector<Job>& to_run) {
     bool any = false;
-    double seconds = 0;
     for (std::size_t i = 0; i < runs_.size(); ++i) {  // audits are added on the way
-      any |= ask(i, to_run, seconds);
+      any |= ask(i, to_run);
       const SearchPlanner* search = runs_[i].search();
       const std::string& name = runs_[i].study().plan.study;
       if (search && search->ended() && !report_.searches.contains(name)) any |= close(runs_[i], places_[i]);
     }
-    if (started_ && !to_run.empty()) status_.jobs_added(std::ssize(to_run), seconds);
+    if (started_ && !to_run.empty()) status_.jobs_added(std::ssize(to_run), cpu_seconds(to_run));
     return any;
   }
 
-  bool ask(std::size_t place, std::vector<Job>& to_run, double& seconds) {
+  bool ask(std::size_t place, std::vector<Job>& to_run) {
     StudyRun& run = runs_[place];
     const Entered entered = run.advance(answers_, writer_);
     if (options_.on_wanted) options_.on_wanted(places_[place], entered.jobs);
@@ -125,12 +128,9 @@ class Engine {
           own.push_back(job);
       }
     }
-    if (!started_) {
+    if (!started_)
       start_.predicted_factor =
           std::max(start_.predicted_factor, predicted_factor(run.study().plan.cost, own));
-      start_.predicted_seconds += cpu_seconds(own);
-    }
-    seconds += cpu_seconds(own);
     std::ranges::move(own, std::back_inserter(to_run));
     return !entered.jobs.empty();
   }
@@ -146,12 +146,13 @@ class Engine {
     AuditSample sample = audit_sample(search.jobs(), study.audit, study.plan.cost, answers_);
     report.audit.early = sample.early;
     if (sample.runs.empty()) return false;
-    PlannedStudy whole{{study.plan.study + "-audit", {}, {}, {}, study.plan.cost},
-                       study.title + ", runs that stopped early run to their end",
-                       study.source};
+    PlannedStudy& whole =
+        audited_.emplace_back(PlannedStudy{{study.plan.study + "-audit", {}, {}, {}, study.plan.cost},
+                                           study.title + ", runs that stopped early run to their end",
+                                           study.source});
     for (const AuditedRun& one : sample.runs) whole.plan.jobs.push_back(one.whole);
     audits_.push_back({study.plan.study, study.search->search->outcome, std::move(sample.runs)});
-    add(std::move(whole), place);
+    add(whole, place);
     return true;
   }
 
@@ -172,6 +173,7 @@ class Engine {
     started_ = true;
     writer_.sweep_files();
     start_.jobs = std::ssize(to_run);
+    start_.predicted_seconds = cpu_seconds(to_run);
     start_.reused = report_.reused;
     start_.left_failed = report_.left_failed;
     start_.workers = workers_.count(to_run.size());
@@ -179,18 +181,13 @@ class Engine {
   }
 
   void execute(std::vector<Job> to_run) {
-    std::vector<std::string> keys;
-    for (const Job& job : to_run) keys.push_back(job.key), answers_.tried(job.key);
+    for (const Job& job : to_run) answers_.tried(job.key);
     const ExecutorReport before = report_.executed;
     report_.executed = sum_of(before, workers_.run(std::move(to_run), [&](const ExecutorReport& executed) {
       report_.executed = sum_of(before, executed);
       report_.signal = flag_.signal();
       status_.run_finished(end());
     }));
-    if (report_.left() > 0) return;
-    // One that is not decided was taken out of its study by another run meanwhile.
-    report_.executed.untouched +=
-        std::ranges::count_if(keys, [&](const std::string& key) { return !known_.of(key); });
   }
 
   RunEnd end() const {
@@ -217,8 +214,9 @@ class Engine {
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   CatalogAnswers known_;
   RunAnswers answers_;
-  std::deque<StudyRun> runs_;        ///< those given, then audits
-  std::vector<std::size_t> places_;  ///< of each: of the study that was given, or whose search it audits
+  std::deque<PlannedStudy> audited_;  ///< the studies of audits
+  std::deque<StudyRun> runs_;         ///< those given, then audits
+  std::vector<std::size_t> places_;   ///< of each: of the study that was given, or whose search it audits
   std::vector<AuditRun> audits_;
   std::unordered_set<std::string> seen_;  ///< keys
   RunStart start_;

@@ -59,8 +59,8 @@ std::optional<Answer> RunAnswers::of(const std::string& key) const {
   return answer;
 }
 
-StudyRun::StudyRun(PlannedStudy study)
-    : study_(std::move(study)),
+StudyRun::StudyRun(const PlannedStudy& study)
+    : study_(study),
       planner_(planner_of(study_)),
       search_(dynamic_cast<const SearchPlanner*>(planner_.get())) {}
 

@@ -58,7 +58,8 @@ struct Entered {
 
 class StudyRun {
  public:
-  explicit StudyRun(PlannedStudy);
+  /// The study must outlive this.
+  explicit StudyRun(const PlannedStudy&);
 
   /// Has the planner asked until it waits for results, or has no more to ask for, and makes the catalog's
   /// study have all that it wants. Throws CatalogError.
@@ -68,7 +69,7 @@ class StudyRun {
   const SearchPlanner* search() const { return search_; }  ///< null: it is none
 
  private:
-  PlannedStudy study_;
+  const PlannedStudy& study_;
   std::unique_ptr<Planner> planner_;
   const SearchPlanner* search_;
   bool registered_ = false;

@@ -23,12 +23,6 @@
 namespace mpmstudy {
 namespace {
 
-std::optional<double> number(const SqlValue& value) {
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
-  return std::nullopt;
-}
-
 Rows ask(const StudyResults& results, const std::string& sql, const SqlValue& parameter) {
   return query(results.folder, sql, std::span(&parameter, 1));
 }
@@ -80,11 +74,6 @@ std::string key_at(mpm::Scene scene, const Searched& critical, std::optional<dou
   return job_key(scene);
 }
 
-std::string text(const SqlValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text ? *text : "";
-}
-
 /// Of a study with [search]: one entry for each bracket that its own runs prove. The scene is that of the
 /// point. Rows of an earlier form of the study have other keys at their ends and are left out.
 StudyResults read_brackets(const Study& study, const std::filesystem::path& folder) {
@@ -107,16 +96,20 @@ StudyResults read_brackets(const Study& study, const std::filesystem::path& fold
     const auto position = static_cast<std::size_t>(std::get<std::int64_t>(row[0]));
     if (position >= study.scenes.size()) continue;
     const mpm::Scene& scene = study.scenes[position];
-    const auto lower = number(row[1]), upper = number(row[2]);
-    if (key_at(scene, critical, lower) != text(row[3]) || key_at(scene, critical, upper) != text(row[4]))
+    const auto lower = number_of(row[1]), upper = number_of(row[2]);
+    if (key_at(scene, critical, lower) != text_of(row[3]) ||
+        key_at(scene, critical, upper) != text_of(row[4]))
       continue;
     --results.missing;
-    drawn +=
-        fmt::format("{} {} {:a} {:a} ", text(row[4]), text(row[7]), lower.value_or(0), upper.value_or(0));
+    drawn += fmt::format("{} {} {:a} {:a} ", text_of(row[4]), text_of(row[7]), lower.value_or(0),
+                         upper.value_or(0));
     if (!lower || !upper) continue;  // looked for and not found
-    JobResults job{
-        text(row[4]), scene, Measured{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)}, {}, text(row[7])};
-    if (const auto value = number(row[5])) job.extrapolated = Measured{*value, number(row[6])};
+    JobResults job{text_of(row[4]),
+                   scene,
+                   Measured{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)},
+                   {},
+                   text_of(row[7])};
+    if (const auto value = number_of(row[5])) job.extrapolated = Measured{*value, number_of(row[6])};
     results.done.push_back(std::move(job));
   }
   results.fingerprint = fmt::format("{:016x}", XXH3_64bits(drawn.data(), drawn.size()));
@@ -129,7 +122,7 @@ std::string flags_of(const StudyResults& results, const JobResults& job) {
   const SqlValue parameters[] = {job.key, results.study};
   const Rows rows =
       query(results.folder, "SELECT flags FROM jobs WHERE key = ?1 AND study = ?2 LIMIT 1", parameters);
-  return rows.rows.empty() ? "" : text(rows.rows[0][0]);
+  return rows.rows.empty() ? "" : text_of(rows.rows[0][0]);
 }
 
 /// What the fits and figures of a study are made of.
@@ -207,7 +200,7 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
   }
   for (const auto& row : rows.rows)
     for (std::size_t k = 1; k < row.size(); ++k)
-      if (const auto value = number(row[k])) drawn += fmt::format(" {:a}", *value);
+      if (const auto value = number_of(row[k])) drawn += fmt::format(" {:a}", *value);
   results.fingerprint = fmt::format("{:016x}", XXH3_64bits(drawn.data(), drawn.size()));
   return results;
 }
@@ -232,9 +225,9 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
                job.key);
   }
   if (rows.rows.empty()) return std::nullopt;
-  const auto value = number(rows.rows[0][0]);
+  const auto value = number_of(rows.rows[0][0]);
   if (!value) return std::nullopt;
-  return Measured{*value, number(rows.rows[0][1])};
+  return Measured{*value, number_of(rows.rows[0][1])};
 }
 
 std::string unit_of(const StudyResults& results, const std::string& name) {
@@ -251,7 +244,8 @@ std::vector<mpm::AreaSample> area_history_of(const StudyResults& results, const 
           job.key);
   std::vector<mpm::AreaSample> history;
   for (const auto& row : rows.rows)
-    history.push_back({number(row[0]).value_or(0), number(row[1]).value_or(0), number(row[2]).value_or(0)});
+    history.push_back(
+        {number_of(row[0]).value_or(0), number_of(row[1]).value_or(0), number_of(row[2]).value_or(0)});
   return history;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 /// The runs of a [search], round by round, and those of its audit.
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ class SearchPlanner : public Planner {
   std::vector<Job> next(const Answers&) override;
 
   bool ended() const { return ended_; }
+  /// Jobs that were asked for and whose answers were not there when it was last asked.
+  std::int64_t waits_for() const { return static_cast<std::int64_t>(jobs_.size() - told_); }
   std::vector<FoundBracket> brackets() const { return search_.brackets(); }
   const std::vector<Job>& jobs() const { return jobs_; }  ///< all that were asked for
 

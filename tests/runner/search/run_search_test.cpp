@@ -3,6 +3,7 @@
 // audit.
 #include "runner/exec/run_studies.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
 #include <atomic>
@@ -15,6 +16,7 @@
 #include <sstream>
 
 #include "runner/catalog/answers.hpp"
+#include "runner/catalog/connection.hpp"
 #include "runner/catalog/query.hpp"
 #include "runner/catalog/row_format.hpp"
 #include "runner/catalog/stored_jobs.hpp"
@@ -431,6 +433,20 @@ TEST_F(SearchStudy, AfterASignalNoRoundBegins) {
   EXPECT_GT(stopped.run.left(), 0);
   EXPECT_EQ(stopped.exit_code(), 75);
   EXPECT_TRUE(stopped.brackets.empty());
+}
+
+// Another run may plan a job again that this one's next round waits for.
+TEST_F(SearchStudy, ThatAnotherRunTakesAJobAwayLeavesWork) {
+  breaks = [this](const mpm::Scene&) {
+    std::lock_guard lock(mutex);
+    if (simulated.size() == 3)
+      open_for_writing(folder.path())->exec("UPDATE job SET status = 'planned' WHERE status = 'done'");
+    return false;
+  };
+  const SearchOutcome report = search(folder.path(), 1);
+  EXPECT_GT(report.run.left(), 0);
+  EXPECT_EQ(report.exit_code(), 75);
+  EXPECT_TRUE(report.brackets.empty());
 }
 
 TEST_F(SearchStudy, TheBudgetIsThatOfAllRounds) {
