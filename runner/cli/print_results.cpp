@@ -9,9 +9,8 @@
 
 #include "analysis/plot.hpp"
 #include "analysis/units.hpp"
-#include "libmpm/measure/results.hpp"
 #include "libmpm/scene/parameters.hpp"
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/job_rows.hpp"
 #include "runner/cli/print_failures.hpp"
 #include "runner/cli/text_table.hpp"
 #include "runner/finish/fits.hpp"
@@ -26,29 +25,10 @@ constexpr std::int64_t most_rows = 30;  ///< of a table; of more, so many from t
 constexpr std::int64_t first_rows = 25, last_rows = 5;
 constexpr std::size_t most_results = 3;  ///< columns of results
 constexpr int error_digits = 3;
-constexpr std::size_t first_parameter = 4;  ///< in a row of select()
-constexpr const char* mark = "*";           ///< behind what a flag is about; the line below says why
-
-/// A column of the view `jobs`, or a metric.
-struct Result {
-  std::string name;
-  std::string value, error;  ///< as SQL over `jobs j`
-};
-
-Result result_named(const std::string& name, const std::vector<std::string>& columns_of_jobs) {
-  if (std::ranges::find(columns_of_jobs, name) != columns_of_jobs.end()) {
-    const mpm::ResultRow* row = mpm::find_result(name);
-    const bool has_error = row && !row->error_column.empty();
-    return {name, "j." + name, has_error ? "j." + std::string(row->error_column) : "NULL"};
-  }
-  const auto of_metric = [&](const char* what) {
-    return fmt::format("(SELECT m.{} FROM metrics m WHERE m.key = j.key AND m.name = '{}')", what, name);
-  };
-  return {name, of_metric("value"), of_metric("error")};
-}
+constexpr const char* mark = "*";  ///< behind what a flag is about; the line below says why
 
 /// The headline of the scene, then what the study fits and draws.
-std::vector<Result> results_of_interest(const Study& study, const std::filesystem::path& folder) {
+std::vector<std::string> results_of_interest(const Study& study) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name) {
     if (!name.empty() && names.size() < most_results && std::ranges::find(names, name) == names.end())
@@ -58,39 +38,7 @@ std::vector<Result> results_of_interest(const Study& study, const std::filesyste
   for (const auto& fit : study.fits) add(fit.y);
   for (const auto& figure : study.figures)
     if (figure.kind == "xy") add(figure.y);
-  const auto columns = query(folder, "SELECT * FROM jobs LIMIT 0").names;
-  std::vector<Result> results;
-  for (const auto& name : names) results.push_back(result_named(name, columns));
-  return results;
-}
-
-std::string column_of_jobs(const std::string& parameter) {
-  if (const auto* quantity = mpm::find_quantity(parameter)) return std::string(quantity->column);
-  return std::string(mpm::find_choice(parameter)->column);
-}
-
-/// What the table's rows are asked by: key, status, outcome, flags, then parameters, then value and error of
-/// each result.
-std::string select(const Study& study, const std::vector<Result>& results) {
-  std::string sql = "SELECT j.key, j.status, j.outcome, j.flags";
-  for (const auto& name : study.swept) sql += ", j.\"" + column_of_jobs(name) + "\"";
-  for (const auto& result : results) sql += ", " + result.value + ", " + result.error;
-  return sql + " FROM jobs j WHERE j.study = ?1 ORDER BY j.position, j.key";
-}
-
-/// The same for people: names in place of SQL.
-std::string readable_query(const Study& study, const std::vector<Result>& results,
-                           const std::filesystem::path& folder) {
-  std::string columns = "key, status, outcome, flags";
-  for (const auto& name : study.swept) columns += ", " + column_of_jobs(name);
-  for (const auto& result : results) {
-    const bool of_jobs = result.value.starts_with("j.");
-    if (!of_jobs) continue;
-    columns += ", " + result.name;
-    if (result.error != "NULL") columns += ", " + result.error.substr(2);
-  }
-  return fmt::format("mpmstudy query{} \"SELECT {} FROM jobs WHERE study = '{}' ORDER BY position\"",
-                     results_option(folder), columns, study.name);
+  return names;
 }
 
 /// Numbers of one column in the unit that the study's file writes, else in one that keeps them short.
@@ -132,70 +80,59 @@ TextColumn errors_beside(const std::vector<std::optional<double>>& values,
   return column;
 }
 
-bool is_flagged(const std::vector<SqlValue>& row) { return !text_of(row[3]).empty(); }
-
 bool says_whether_a_cavity_is_gone(const std::string& outcome) {
   return outcome == "collapsed" || outcome == "partial";
 }
 
 /// Blanks behind the others: digits stand under digits.
-void mark_flagged(TextColumn& column, const std::vector<std::vector<SqlValue>>& rows) {
-  if (std::ranges::none_of(rows, is_flagged)) return;
-  for (std::size_t i = 0; i < rows.size(); ++i) column.cells[i] += is_flagged(rows[i]) ? mark : " ";
+void mark_flagged(TextColumn& column, const std::vector<JobRow>& rows) {
+  if (std::ranges::all_of(rows, &std::string::empty, &JobRow::flags)) return;
+  for (std::size_t i = 0; i < rows.size(); ++i) column.cells[i] += rows[i].flags.empty() ? " " : mark;
 }
 
 /// Why numbers are marked: a line per reason, of all jobs of the study.
 std::string flags_text(const Study& study, const std::filesystem::path& results) {
-  const SqlValue name = study.name;
   std::string text;
-  for (const auto& row :
-       query(results,
-             "SELECT flags, count(*) FROM jobs WHERE study = ?1 AND status = 'done' AND flags "
-             "<> '' GROUP BY flags ORDER BY min(position)",
-             std::span(&name, 1))
-           .rows)
-    text +=
-        fmt::format("  {} {}, {}\n", mark, text_of(row[0]), counted(std::get<std::int64_t>(row[1]), "job"));
+  for (const FlagCount& one : flag_counts(results, study.name))
+    text += fmt::format("  {} {}, {}\n", mark, one.flags, counted(one.jobs, "job"));
   return text.empty() ? "" : text + "    such numbers are in no figure and no fit\n";
 }
 
-std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<Result>& results,
-                                        const StudyResults& folder,
-                                        const std::vector<std::vector<SqlValue>>& rows) {
+std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<std::string>& results,
+                                        const StudyResults& folder, const std::vector<JobRow>& rows) {
   TextColumn keys{"job", "", {}, true}, outcomes{"outcome", "", {}, true};
-  for (const auto& row : rows) {
-    keys.cells.push_back(short_key(text_of(row[0])));
-    const std::string status = text_of(row[1]), outcome = text_of(row[2]);
-    const bool doubtful = is_flagged(row) && says_whether_a_cavity_is_gone(outcome);
-    outcomes.cells.push_back(status != "done"  ? status
-                             : outcome.empty() ? "-"
-                                               : outcome + (doubtful ? mark : ""));
+  for (const JobRow& row : rows) {
+    keys.cells.push_back(short_key(row.key));
+    const bool doubtful = !row.flags.empty() && says_whether_a_cavity_is_gone(row.outcome);
+    outcomes.cells.push_back(row.status != JobStatus::done ? std::string(to_string(row.status))
+                             : row.outcome.empty()         ? "-"
+                                                           : row.outcome + (doubtful ? mark : ""));
   }
   std::vector<TextColumn> columns = {std::move(keys)};
-  std::size_t at = first_parameter;
-  const auto numbers = [&](std::size_t column) {
-    std::vector<std::optional<double>> values;
-    for (const auto& row : rows) values.push_back(number_of(row[column]));
-    return values;
-  };
-  for (const auto& name : study.swept) {
+  for (std::size_t at = 0; at < study.swept.size(); ++at) {
+    const std::string& name = study.swept[at];
     TextColumn column{name, "", {}, false};
     if (const auto* quantity = mpm::find_quantity(name)) {
-      fill(column, numbers(at), study, name, quantity->unit);
+      std::vector<std::optional<double>> values;
+      for (const JobRow& row : rows) values.push_back(number_of(row.parameters[at]));
+      fill(column, values, study, name, quantity->unit);
     } else {
       column.left = true;
-      for (const auto& row : rows) column.cells.push_back(text_of(row[at]));
+      for (const JobRow& row : rows) column.cells.push_back(text_of(row.parameters[at]));
     }
-    ++at;
     columns.push_back(std::move(column));
   }
-  for (const auto& result : results) {
-    const auto values = numbers(at), errors = numbers(at + 1);
-    at += 2;
-    const std::string unit = unit_of(folder, result.name);
-    TextColumn column{std::string(analysis::without_unit(result.name, unit)), "", {}, false};
+  for (std::size_t at = 0; at < results.size(); ++at) {
+    std::vector<std::optional<double>> values, errors;
+    for (const JobRow& row : rows) {
+      values.push_back(row.results[at].value);
+      errors.push_back(row.results[at].error);
+    }
+    const std::string& name = results[at];
+    const std::string unit = unit_of(folder, name);
+    TextColumn column{std::string(analysis::without_unit(name, unit)), "", {}, false};
     fill(column, values, study, "", unit);
-    if (is_of_the_final_area(result.name)) mark_flagged(column, rows);
+    if (is_of_the_final_area(name)) mark_flagged(column, rows);
     columns.push_back(std::move(column));
     if (std::ranges::any_of(errors, [](const auto& error) { return error.has_value(); }))
       columns.push_back(errors_beside(values, errors, unit));
@@ -226,20 +163,15 @@ double largest_of(const std::vector<double>& numbers) {
 
 std::string results_text(const Study& study, const std::filesystem::path& results) {
   const StudyResults folder{study.name, results, {}, 0, {}};
-  const auto of_interest = results_of_interest(study, results);
-  const SqlValue name = study.name;
-  const auto parameters = std::span(&name, 1);
-  const auto count = std::get<std::int64_t>(
-      query(results, "SELECT count(*) FROM jobs WHERE study = ?1", parameters).rows.at(0).at(0));
-  const std::string sql = select(study, of_interest);
-  auto rows =
-      query(results, fmt::format("{} LIMIT {}", sql, count > most_rows ? first_rows : most_rows), parameters)
-          .rows;
+  const auto of_interest = results_of_interest(study);
+  const auto count = count_jobs(results, study.name);
+  JobRequest request{study.name, study.swept, of_interest};
+  request.most = count > most_rows ? first_rows : most_rows;
+  auto rows = job_rows(results, request);
   if (count > most_rows) {
-    auto last =
-        query(results, fmt::format("{} LIMIT {} OFFSET {}", sql, last_rows, count - last_rows), parameters)
-            .rows;
-    std::ranges::move(last, std::back_inserter(rows));
+    request.most = last_rows;
+    request.from = count - last_rows;
+    std::ranges::move(job_rows(results, request), std::back_inserter(rows));
   }
   auto columns = columns_of_rows(study, of_interest, folder, rows);
   const std::string gone = make_narrow(columns, study.swept.size());
@@ -252,11 +184,10 @@ std::string results_text(const Study& study, const std::filesystem::path& result
   std::string text = fmt::format("\n{}: {}\n", study.name, study.title) + table;
   if (!gone.empty()) text += cut_text("  not shown: " + gone, line_columns) + "\n";
   if (count > most_rows || !gone.empty())
-    text += "  all: " + readable_query(study, of_interest, results) + "\n";
+    text += fmt::format("  all: mpmstudy query{} \"{}\"\n", results_option(results), readable_sql(request));
   // Of an outcome that flags say nothing of, such as "ejected", and results of another kind nothing is
   // marked.
-  if (table.find(mark) != std::string::npos ||
-      std::ranges::any_of(of_interest, [](const auto& one) { return is_of_the_final_area(one.name); }))
+  if (table.find(mark) != std::string::npos || std::ranges::any_of(of_interest, is_of_the_final_area))
     text += flags_text(study, results);
   if (study.ladder.cells == 1 && table.find("+-") != std::string::npos)
     text +=

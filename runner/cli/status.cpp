@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/accuracy.hpp"
 #include "runner/status/label.hpp"
 
 namespace mpmstudy {
@@ -150,13 +150,9 @@ void print_text(const CatalogState& state, const std::vector<Submission>& submis
 
 /// Accuracies that were not reached, searches without a bracket: `run` ends with 1 for them, too.
 bool any_missed(const std::string& results, const CatalogState& state) {
-  std::string sql = "SELECT study FROM accuracy WHERE reached = 0";
-  if (!query(results, "SELECT 1 FROM sqlite_master WHERE type = 'view' AND name = 'brackets'").rows.empty())
-    sql += " UNION SELECT study FROM brackets WHERE lower IS NULL OR upper IS NULL";
-  const auto rows = query(results, sql).rows;
-  return std::ranges::any_of(rows, [&](const auto& row) {
-    return std::ranges::any_of(
-        state.studies, [&](const StudyState& study) { return study.name == std::get<std::string>(row[0]); });
+  const auto missed = studies_that_missed(results);
+  return std::ranges::any_of(state.studies, [&](const StudyState& study) {
+    return std::ranges::find(missed, study.name) != missed.end();
   });
 }
 

@@ -12,8 +12,8 @@
 #include "libmpm/scene/physics_version.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/field_files.hpp"
+#include "runner/catalog/job_results.hpp"
 #include "runner/catalog/output_file.hpp"
-#include "runner/catalog/query.hpp"
 #include "runner/catalog/results_of.hpp"
 #include "runner/catalog/stored_jobs.hpp"
 #include "runner/exec/git_revision.hpp"
@@ -65,18 +65,18 @@ std::vector<Job> chosen(const VerifyOptions& options) {
 /// touched.
 std::int64_t check_files(const std::string& results) {
   std::int64_t wrong = 0;
-  const auto rows = query(results, "SELECT path, bytes, checksum FROM snapshots ORDER BY path").rows;
-  for (const auto& row : rows) {
-    const fs::path path = fs::path(results) / std::get<std::string>(row[0]);
-    const auto text = what_is_wrong(path, std::get<std::int64_t>(row[1]), std::get<std::string>(row[2]));
+  const auto files = all_snapshots(results);
+  for (const SnapshotFile& file : files) {
+    const fs::path path = fs::path(results) / file.path;
+    const auto text = what_is_wrong(path, file.bytes, file.checksum);
     if (text.empty()) continue;
     ++wrong;
     std::error_code gone_or_not_ours;
     fs::last_write_time(path, fs::file_time_type::clock::now(), gone_or_not_ours);
     fmt::print("{}\n", text);
   }
-  fmt::print("{} of {} files are as they were written{}\n", static_cast<std::int64_t>(rows.size()) - wrong,
-             rows.size(), wrong > 0 ? "; `mpmstudy run` makes the others again" : "");
+  fmt::print("{} of {} files are as they were written{}\n", static_cast<std::int64_t>(files.size()) - wrong,
+             files.size(), wrong > 0 ? "; `mpmstudy run` makes the others again" : "");
   return wrong;
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "analysis/extrapolation.hpp"
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/accuracy.hpp"
 #include "runner/ladder/climb.hpp"
 #include "runner/study/ladder.hpp"
 
@@ -13,15 +13,9 @@ namespace mpmstudy {
 
 std::vector<analysis::CalibrationPoint> calibration_of(const Study& study, const StudyResults& results,
                                                        const std::string& quantity) {
-  const SqlValue parameters[] = {study.name, quantity};
-  const Rows rows = query(results.folder,
-                          "SELECT key, cell_size_m, value, coalesce(measuring_error, 0.0) FROM ladders WHERE "
-                          "study = ?1 AND quantity = ?2 AND status = 'done' AND value IS NOT NULL",
-                          parameters);
   std::map<std::string, std::vector<analysis::LadderPoint>> ladders;
-  for (const auto& row : rows.rows)
-    ladders[std::get<std::string>(row[0])].push_back(
-        {std::get<double>(row[1]), std::get<double>(row[2]), std::abs(std::get<double>(row[3]))});
+  for (const LadderValue& v : ladder_values(results.folder, study.name, quantity))
+    ladders[v.key].push_back({v.cell_size, v.value, std::abs(v.measuring_error.value_or(0))});
   const analysis::Bounds bounds = bounds_of(quantity);
   std::vector<analysis::CalibrationPoint> points;
   for (const JobResults& job : results.done) {

@@ -1,19 +1,12 @@
 #include "runner/finish/evidence.hpp"
 
-#include <fmt/format.h>
+#include <algorithm>
 
 #include "libmpm/io/vtkhdf.hpp"
+#include "runner/catalog/accuracy.hpp"
+#include "runner/catalog/job_results.hpp"
 
 namespace mpmstudy {
-namespace {
-
-std::optional<double> real(const SqlValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
-  return std::nullopt;
-}
-
-}  // namespace
 
 Evidence::Evidence(std::filesystem::path results, const std::vector<Study>& studies)
     : results_(std::move(results)) {
@@ -26,80 +19,63 @@ const StudyStanding& Evidence::standing(const std::string& study) const {
   return found == standings_.end() ? unknown : found->second;
 }
 
-Rows Evidence::ask(const std::string& study, const std::string& sql) const {
-  if (standing(study).standing != Standing::whole) return {};
-  const SqlValue name = study;
-  return query(results_, sql, std::span(&name, 1));
+bool Evidence::is_whole(const std::string& study) const {
+  return standing(study).standing == Standing::whole;
 }
 
-std::optional<double> Evidence::number(const std::string& study, const std::string& sql) const {
-  const Rows rows = ask(study, sql);
-  return rows.rows.empty() ? std::nullopt : real(rows.rows[0][0]);
+std::optional<JobRow> Evidence::first_done(const std::string& study,
+                                           const std::vector<std::string>& parameters) const {
+  if (!is_whole(study)) return std::nullopt;
+  const auto rows = job_rows(results_, {study, parameters, {}, true, 1});
+  return rows.empty() ? std::nullopt : std::optional(rows.front());
 }
 
-std::optional<std::string> Evidence::text(const std::string& study, const std::string& sql) const {
-  const Rows rows = ask(study, sql);
-  if (rows.rows.empty()) return std::nullopt;
-  const auto* text = std::get_if<std::string>(&rows.rows[0][0]);
-  return text ? std::optional(*text) : std::nullopt;
+std::vector<ResultAt> Evidence::results(const std::string& study, const std::string& result,
+                                        const std::string& parameter) const {
+  std::vector<ResultAt> found;
+  if (!is_whole(study)) return found;
+  JobRequest request{study, {}, {result}, true};
+  if (!parameter.empty()) request.parameters = {parameter};
+  for (const JobRow& row : job_rows(results_, request)) {
+    const double at = parameter.empty() ? 0 : number_of(row.parameters[0]).value_or(0);
+    if (const JobResult& one = row.results[0]; one.value)
+      found.push_back({at, {*one.value, one.error}, row.flags});
+  }
+  std::ranges::stable_sort(found, {}, &ResultAt::parameter);
+  return found;
 }
 
-std::vector<double> Evidence::numbers(const std::string& study, const std::string& sql) const {
-  std::vector<double> values;
-  for (const auto& row : ask(study, sql).rows)
-    if (const auto value = real(row[0])) values.push_back(*value);
-  return values;
+std::optional<double> Evidence::result(const std::string& study, const std::string& result) const {
+  const auto found = results(study, result);
+  return found.empty() ? std::nullopt : std::optional(found.front().result.value);
 }
 
-std::vector<double> Evidence::metrics(const std::string& study, const std::string& name,
-                                      const std::string& order, const std::string& condition) const {
-  return numbers(study,
-                 "SELECT m.value FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND j.status = "
-                 "'done' AND m.name = '" +
-                     name + "' AND " + condition + " ORDER BY j." + order);
+std::optional<std::string> Evidence::flags(const std::string& study) const {
+  if (!is_whole(study)) return std::nullopt;
+  const auto rows = job_rows(results_, {study, {}, {}, true});
+  const auto flagged = std::ranges::find_if(rows, [](const JobRow& row) { return !row.flags.empty(); });
+  return flagged == rows.end() ? std::nullopt : std::optional(flagged->flags);
 }
 
-std::optional<double> Evidence::metric(const std::string& study, const std::string& name,
-                                       const std::string& condition) const {
-  const auto values = metrics(study, name, "position", condition);
-  return values.empty() ? std::nullopt : std::optional(values.front());
+std::vector<FitRow> Evidence::fits(const std::string& study, const std::string& quantity) const {
+  return is_whole(study) ? fits_of(results_, study, quantity) : std::vector<FitRow>();
 }
 
-std::vector<Measured> Evidence::with_errors(const std::string& study, const std::string& sql) const {
-  std::vector<Measured> all;
-  for (const auto& row : ask(study, sql).rows)
-    if (const auto value = real(row[0])) all.push_back({*value, real(row[1])});
-  return all;
+std::vector<CriticalSpeed> Evidence::critical_speeds(const std::string& study,
+                                                     const std::string& parameter) const {
+  return is_whole(study) ? mpmstudy::critical_speeds(results_, study, parameter)
+                         : std::vector<CriticalSpeed>();
 }
 
-std::vector<Measured> Evidence::measured(const std::string& study, const std::string& name,
-                                         const std::string& order, const std::string& condition) const {
-  return with_errors(study,
-                     "SELECT m.value, m.error FROM jobs j JOIN metrics m USING (key) WHERE j.study = ?1 AND "
-                     "j.status = 'done' AND m.name = '" +
-                         name + "' AND " + condition + " ORDER BY j." + order);
-}
-
-std::vector<Measured> Evidence::collapsibilities(const std::string& study, const std::string& order) const {
-  return with_errors(study,
-                     "SELECT collapsibility, collapsibility_error FROM jobs WHERE study = ?1 AND status = "
-                     "'done' AND (flags IS NULL OR flags = '') ORDER BY " +
-                         order);
-}
-
-std::string Evidence::largest_interval(const std::string& study) const {
-  const auto share = number(study,
-                            "SELECT max(error / value) FROM accuracy WHERE study = ?1 "
-                            "AND quantity = 'collapsibility'");
-  return share ? fmt::format("; intervals of at most {:.1f} %", 100 * *share) : "";
+std::optional<double> Evidence::largest_relative_error(const std::string& study,
+                                                       const std::string& quantity) const {
+  return is_whole(study) ? mpmstudy::largest_relative_error(results_, study, quantity) : std::nullopt;
 }
 
 void Evidence::each_snapshot(const std::string& study,
                              const std::function<void(const mpm::Snapshot&)>& visit) const {
-  const Rows rows = ask(study,
-                        "SELECT path FROM snapshots WHERE key = (SELECT key FROM jobs WHERE study = ?1 AND "
-                        "status = 'done' ORDER BY position LIMIT 1) ORDER BY time_s");
-  for (const auto& row : rows.rows) visit(mpm::read_vtkhdf(results_ / std::get<std::string>(row[0])));
+  if (const auto job = first_done(study))
+    for (const auto& path : snapshot_paths(results_, job->key)) visit(mpm::read_vtkhdf(results_ / path));
 }
 
 }  // namespace mpmstudy

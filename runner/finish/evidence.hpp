@@ -8,13 +8,20 @@
 #include <vector>
 
 #include "libmpm/simulation.hpp"
-#include "runner/catalog/query.hpp"
-#include "runner/catalog/records.hpp"
+#include "runner/catalog/found_values.hpp"
+#include "runner/catalog/job_rows.hpp"
 #include "runner/finish/standing.hpp"
 #include "runner/finish/study_results.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
+
+/// A result of one job, and a parameter of its scene.
+struct ResultAt {
+  double parameter = 0;  ///< 0 where none was asked for
+  Measured result;
+  std::string flags;  ///< why the final area of the job has no meaning; "": it has one
+};
 
 /// Numbers of the done jobs of studies. Of a study that the catalog does not have whole nothing is answered.
 class Evidence {
@@ -26,33 +33,28 @@ class Evidence {
   /// Why nothing is answered of a study.
   const StudyStanding& standing(const std::string& study) const;
 
-  /// One number: the first column of the first row. ?1 is the study. Empty: no row, or null.
-  std::optional<double> number(const std::string& study, const std::string& sql) const;
-  std::optional<std::string> text(const std::string& study, const std::string& sql) const;
-  std::vector<double> numbers(const std::string& study, const std::string& sql) const;
-  /// Of every row the first two columns: a number, its half width.
-  std::vector<Measured> with_errors(const std::string& study, const std::string& sql) const;
-  /// A metric of the study's first done job, or of the first that a condition on the view `jobs` (j) holds
-  /// for.
-  std::optional<double> metric(const std::string& study, const std::string& name,
-                               const std::string& condition = "1") const;
-  /// A metric of all done jobs that the condition holds for, in the order of a column of the view `jobs`.
-  std::vector<double> metrics(const std::string& study, const std::string& name, const std::string& order,
-                              const std::string& condition = "1") const;
-  /// The same with the half widths of their intervals.
-  std::vector<Measured> measured(const std::string& study, const std::string& name, const std::string& order,
-                                 const std::string& condition = "1") const;
-  /// Collapsibility of all done jobs, in the order of a column of the view `jobs`.
-  std::vector<Measured> collapsibilities(const std::string& study, const std::string& order) const;
-  /// "; intervals of at most 1.2 %": of the collapsibilities for cells of size 0; empty without several
-  /// cells.
-  std::string largest_interval(const std::string& study) const;
+  /// The first done job in the order of the sweep, with these parameters.
+  std::optional<JobRow> first_done(const std::string& study,
+                                   const std::vector<std::string>& parameters = {}) const;
+  /// A result of all done jobs that have it, in the order of the sweep; with a parameter, in the order of
+  /// that.
+  std::vector<ResultAt> results(const std::string& study, const std::string& result,
+                                const std::string& parameter = "") const;
+  /// The first of these.
+  std::optional<double> result(const std::string& study, const std::string& result) const;
+  /// Flags of the first done job that has any.
+  std::optional<std::string> flags(const std::string& study) const;
+
+  std::vector<FitRow> fits(const std::string& study, const std::string& quantity) const;
+  std::vector<CriticalSpeed> critical_speeds(const std::string& study, const std::string& parameter) const;
+  /// Of the intervals from several cells; empty: there are none.
+  std::optional<double> largest_relative_error(const std::string& study, const std::string& quantity) const;
   /// Snapshots of the study's first done job, in order of time. One at a time: together they may be larger
   /// than memory. Throws std::runtime_error for one that cannot be read.
   void each_snapshot(const std::string& study, const std::function<void(const mpm::Snapshot&)>& visit) const;
 
  private:
-  Rows ask(const std::string& study, const std::string& sql) const;
+  bool is_whole(const std::string& study) const;
   std::filesystem::path results_;
   std::map<std::string, StudyStanding> standings_;
 };

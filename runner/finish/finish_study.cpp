@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/accuracy.hpp"
 #include "runner/finish/figures.hpp"
 #include "runner/finish/fits.hpp"
 #include "runner/ladder/intervals.hpp"
@@ -19,24 +19,19 @@ namespace {
 
 /// An accuracy that was missed is no success: throws what the run then says last.
 void check_accuracy(const Study& study, const std::filesystem::path& folder) {
-  const SqlValue parameters[] = {study.name, study.ladder.quantity};
-  const Rows rows =
-      query(folder,
-            "SELECT j.key, a.reached FROM jobs j LEFT JOIN accuracy a ON a.key = j.key AND a.study "
-            "= j.study AND a.quantity = ?2 WHERE j.study = ?1 ORDER BY j.position",
-            parameters);
+  const auto jobs = accuracies(folder, study.name, study.ladder.quantity);
   std::string missed;
   std::size_t count = 0;
-  for (const auto& row : rows.rows) {
-    if (const auto* reached = std::get_if<std::int64_t>(&row[1]); reached && *reached == 1) continue;
-    if (++count <= most_named) missed += " " + short_key(std::get<std::string>(row[0]));
+  for (const JobAccuracy& job : jobs) {
+    if (job.reached) continue;
+    if (++count <= most_named) missed += " " + short_key(job.key);
   }
   if (count == 0) return;
   throw std::runtime_error(fmt::format(
       "accuracy {:g} % of {} not reached by {} of {} jobs with up to {} cells:{}{}; view accuracy "
       "has what was reached, a larger ladder or accuracy goes on from there",
-      100 * *study.ladder.accuracy, study.ladder.quantity, count, rows.rows.size(), study.ladder.cells,
-      missed, count > most_named ? " ..." : ""));
+      100 * *study.ladder.accuracy, study.ladder.quantity, count, jobs.size(), study.ladder.cells, missed,
+      count > most_named ? " ..." : ""));
 }
 
 }  // namespace

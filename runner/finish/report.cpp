@@ -12,8 +12,7 @@
 #include "analysis/raster.hpp"
 #include "analysis/units.hpp"
 #include "libmpm/io/vtkhdf.hpp"
-#include "libmpm/scene/parameters.hpp"
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/study_tables.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/finish/fields.hpp"
 #include "runner/finish/figures.hpp"
@@ -35,22 +34,15 @@ std::string shown(const SqlValue& value) {
   return "";
 }
 
-/// Name of a last column that only says which rows belong: it holds the whole key of the row's job.
-constexpr const char* whole_key = "whole_key";
-
-/// A table of what the catalog answers; empty rows: nothing to show. Where the last column is whole_key, only
-/// rows whose job is among `keys`, and without that column.
-analysis::PageTable table_of(const fs::path& results, const std::string& caption, const std::string& sql,
-                             const std::string& study, const std::set<std::string>& keys = {}) {
-  const SqlValue name = study;
-  const Rows rows = query(results, sql, std::span(&name, 1));
-  analysis::PageTable table{caption, rows.names, {}};
-  const bool by_key = !table.head.empty() && table.head.back() == whole_key;
-  if (by_key) table.head.pop_back();
-  for (const auto& row : rows.rows) {
-    if (by_key && !keys.contains(std::get<std::string>(row.back()))) continue;
+/// A table of what the catalog answers: all rows, or only those whose job is among `keys`. Empty rows:
+/// nothing to show.
+analysis::PageTable page_table(const std::string& caption, const StudyTable& answer,
+                               const std::set<std::string>* keys = nullptr) {
+  analysis::PageTable table{caption, answer.head, {}};
+  for (const StudyTable::Row& row : answer.rows) {
+    if (keys && !keys->contains(row.key)) continue;
     std::vector<std::string> cells;
-    for (std::size_t i = 0; i < table.head.size(); ++i) cells.push_back(shown(row[i]));
+    for (const SqlValue& value : row.cells) cells.push_back(shown(value));
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -65,46 +57,6 @@ std::string reading_of(const fs::path& file) {
     text += line.empty() ? "\n\n" : (text.empty() || text.ends_with('\n') ? "" : " ") + line;
   }
   return text;
-}
-
-std::string columns_of(const std::vector<std::string>& swept) {
-  std::string columns;
-  for (const std::string& name : swept) {
-    const mpm::Quantity* q = mpm::find_quantity(name);
-    const mpm::Choice* c = mpm::find_choice(name);
-    if (q || c) columns += std::string(q ? q->column : c->column) + ", ";
-  }
-  return columns;
-}
-
-/// Runs of an audit beside the runs that stopped early: the same in all that the search varies.
-std::string audit_sql(const Study& study) {
-  std::vector<std::string> varied = study.swept;
-  varied.push_back(study.search->critical);
-  std::string columns, same, order;
-  for (const std::string& name : varied) {
-    const mpm::Quantity* q = mpm::find_quantity(name);
-    const std::string column(q ? q->column : mpm::find_choice(name)->column);
-    columns += "a." + column + ", ";
-    same += " AND a." + column + " IS e." + column;
-    order += (order.empty() ? "" : ", ") + ("a." + column);
-  }
-  return "SELECT " + columns +
-         "e.outcome AS stopped_early, a.outcome AS run_to_end, substr(a.key, 1, 12) AS job FROM jobs a "
-         "JOIN jobs e ON e.study = ?1 AND a.study = e.study || '-audit'" +
-         same + " ORDER BY " + order;
-}
-
-/// What a study with [search] sweeps beside its cells, out of the JSON of the view `brackets`.
-std::string swept_of_brackets(const std::vector<std::string>& swept) {
-  std::string columns;
-  for (const std::string& name : swept) {
-    if (name == "cell_size") continue;
-    const mpm::Quantity* q = mpm::find_quantity(name);
-    const std::string column(q ? q->column : mpm::find_choice(name)->column);
-    columns += fmt::format("swept ->> '{0}' AS \"{0}\", ", column);
-  }
-  return columns;
 }
 
 /// Snapshots of a job as images of one scale.
@@ -204,38 +156,23 @@ analysis::PageSection section_of(const ReportedStudy& reported, const fs::path& 
       if (auto animation = animation_of(results, job, figure.y, figure.title); !animation.frames.empty())
         section.animations.push_back(std::move(animation));
   }
-  const auto add = [&](const std::string& caption, const std::string& sql) {
-    if (auto table = table_of(folder, caption, sql, study.name, keys); !table.rows.empty())
-      section.tables.push_back(std::move(table));
+  const auto add = [&](analysis::PageTable table) {
+    if (!table.rows.empty()) section.tables.push_back(std::move(table));
   };
-  if (study.search && !results.done.empty())
-    add("Brackets",
-        "SELECT " + swept_of_brackets(study.swept) +
-            "cell_size_m, quantity, unit, lower, upper, extrapolated, interval, runs, flags, "
-            "substr(lower_key, 1, 12) AS lower_job, substr(upper_key, 1, 12) AS upper_job FROM brackets "
-            "WHERE study = ?1 ORDER BY position");
-  if (!study.search)
-    add("Jobs",
-        "SELECT " + columns_of(study.swept) +
-            "status, outcome, collapsibility, collapsibility_error, energy_error, particles, steps, cpu_s, "
-            "flags, substr(key, 1, 12) AS job, key AS whole_key FROM jobs WHERE study = ?1 ORDER BY "
-            "position");
-  if (study.search)
-    add("Audit: runs that stopped when decided, run to their end", audit_sql(study));
-  else
-    add("Error bars from several cells",
-        "SELECT " + columns_of(study.swept) +
-            "a.value, a.error, a.extrapolated_value, a.extrapolated_error, a.observed_order, a.method, "
-            "substr(a.key, 1, 12) AS job, a.key AS whole_key FROM accuracy a JOIN jobs j ON j.key = a.key "
-            "AND j.study = a.study "
-            "WHERE a.study = ?1 AND a.quantity = 'collapsibility' ORDER BY j.position");
-  if (auto fits = fits_of(study, results); !fits.rows.empty()) section.tables.push_back(std::move(fits));
-  if (!study.search)
-    add("Measured",
-        "SELECT substr(j.key, 1, 12) AS job, m.name, m.value, m.error, m.unit, j.key AS whole_key FROM jobs "
-        "j "
-        "JOIN metrics m USING (key) WHERE j.study = ?1 ORDER BY j.position, "
-        "m.name");
+  if (study.search) {
+    if (!results.done.empty())
+      add(page_table("Brackets", table_of_brackets(folder, study.name, study.swept)));
+    std::vector<std::string> varied = study.swept;
+    varied.push_back(study.search->critical);
+    add(page_table("Audit: runs that stopped when decided, run to their end",
+                   table_of_audit(folder, study.name, varied)));
+  } else {
+    add(page_table("Jobs", table_of_jobs(folder, study.name, study.swept), &keys));
+    add(page_table("Error bars from several cells",
+                   table_of_accuracy(folder, study.name, study.swept, "collapsibility"), &keys));
+  }
+  add(fits_of(study, results));
+  if (!study.search) add(page_table("Measured", table_of_metrics(folder, study.name), &keys));
   return section;
 }
 
@@ -255,13 +192,7 @@ std::string report_page(const std::vector<ReportedStudy>& studies, const fs::pat
     fingerprints += read_results(study.study, folder).fingerprint;
   }
   analysis::PageSection costs{"costs", "Costs", "", {}, {}, {}};
-  costs.tables.push_back(table_of(
-      folder, "Time on a processor, by study",
-      "SELECT study, count(*) AS jobs, sum(cpu_s) AS cpu_s, sum(CAST(particles AS REAL) * steps) AS "
-      "particle_updates, avg(particle_updates_per_s) AS particle_updates_per_s, max(energy_error) AS "
-      "largest_energy_error FROM jobs WHERE study IS NOT NULL AND status = 'done' AND ?1 IS NOT "
-      "NULL GROUP BY study ORDER BY study",
-      "all"));
+  costs.tables.push_back(page_table("Time on a processor, by study", table_of_costs(folder)));
   page.sections.push_back(std::move(costs));
   page.footer = fmt::format("catalog {:016x}, physics version {}, commit {}",
                             XXH3_64bits(fingerprints.data(), fingerprints.size()), mpm::physics_version,

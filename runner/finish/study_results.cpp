@@ -12,7 +12,8 @@
 #include "analysis/units.hpp"
 #include "libmpm/measure/results.hpp"
 #include "libmpm/scene/parameters.hpp"
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/found_values.hpp"
+#include "runner/catalog/job_results.hpp"
 #include "runner/finish/labels.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
@@ -22,10 +23,6 @@
 
 namespace mpmstudy {
 namespace {
-
-Rows ask(const StudyResults& results, const std::string& sql, const SqlValue& parameter) {
-  return query(results.folder, sql, std::span(&parameter, 1));
-}
 
 bool differs_by_rounding(double a, double b) {
   constexpr double rounding = 1e-12;  // values of a study are written with twelve digits at most
@@ -84,45 +81,28 @@ StudyResults read_brackets(const Study& study, const std::filesystem::path& fold
   const Searched critical(study);
   results.critical = &critical.quantity();
   std::string drawn;
-  const SqlValue parameters[] = {study.name, study.search->critical};
-  const Rows rows =
-      query(folder,
-            // The table, not the view: keys are made of all the digits of a bracket's ends.
-            "SELECT position, exact_lower, exact_upper, lower_key, upper_key, extrapolated, interval, flags "
-            "FROM bracket WHERE study_id = (SELECT id FROM study WHERE name = ?1) AND quantity = ?2 "
-            "ORDER BY position",
-            parameters);
-  for (const auto& row : rows.rows) {
-    const auto position = static_cast<std::size_t>(std::get<std::int64_t>(row[0]));
+  for (const BracketRow& row : brackets_of(folder, study.name, study.search->critical)) {
+    const auto position = static_cast<std::size_t>(row.position);
     if (position >= study.scenes.size()) continue;
     const mpm::Scene& scene = study.scenes[position];
-    const auto lower = number_of(row[1]), upper = number_of(row[2]);
-    if (key_at(scene, critical, lower) != text_of(row[3]) ||
-        key_at(scene, critical, upper) != text_of(row[4]))
+    const auto lower = row.lower, upper = row.upper;
+    if (key_at(scene, critical, lower) != row.lower_key || key_at(scene, critical, upper) != row.upper_key)
       continue;
     --results.missing;
-    drawn += fmt::format("{} {} {:a} {:a} ", text_of(row[4]), text_of(row[7]), lower.value_or(0),
-                         upper.value_or(0));
+    drawn += fmt::format("{} {} {:a} {:a} ", row.upper_key, row.flags, lower.value_or(0), upper.value_or(0));
     if (!lower || !upper) continue;  // looked for and not found
-    JobResults job{text_of(row[4]),
-                   scene,
-                   Measured{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)},
-                   {},
-                   text_of(row[7])};
-    if (const auto value = number_of(row[5])) job.extrapolated = Measured{*value, number_of(row[6])};
+    JobResults job{
+        row.upper_key, scene, Measured{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)}, {}, row.flags};
+    if (row.extrapolated) job.extrapolated = Measured{*row.extrapolated, row.interval};
     results.done.push_back(std::move(job));
   }
   results.fingerprint = fmt::format("{:016x}", XXH3_64bits(drawn.data(), drawn.size()));
   return results;
 }
 
-/// Why the final area of a job has no meaning in this study, whose cells give it its interval; "": it has
-/// one.
+/// Why the final area of a job has no meaning; "": it has one.
 std::string flags_of(const StudyResults& results, const JobResults& job) {
-  const SqlValue parameters[] = {job.key, results.study};
-  const Rows rows =
-      query(results.folder, "SELECT flags FROM jobs WHERE key = ?1 AND study = ?2 LIMIT 1", parameters);
-  return rows.rows.empty() ? "" : text_of(rows.rows[0][0]);
+  return flags_of_job(results.folder, results.study, job.key);
 }
 
 /// What the fits and figures of a study are made of.
@@ -163,24 +143,13 @@ bool is_doubtful(const std::string& flags) {
                              [&](const char* doubt) { return flags.find(doubt) != std::string::npos; });
 }
 
-std::string undoubted_sql(const std::string& column) {
-  std::string sql;
-  for (const char* doubt : doubts)
-    sql += fmt::format("{}instr({}, '{}') = 0", sql.empty() ? "" : " AND ", column, doubt);
-  return sql;
-}
-
 StudyResults read_results(const Study& study, const std::filesystem::path& folder) {
   if (study.search) return read_brackets(study, folder);
   StudyResults results{study.name, folder, {}, 0, {}};
   std::set<std::string> done;
   std::string drawn;
-  const SqlValue name = study.name;
-  const Rows rows = query(folder,
-                          "SELECT DISTINCT key, energy_error, final_area_m2, final_area_error_m2 FROM jobs "
-                          "WHERE study = ?1 AND status = 'done' ORDER BY key",
-                          std::span(&name, 1));
-  for (const auto& row : rows.rows) done.insert(std::get<std::string>(row[0]));
+  const auto jobs = done_jobs(folder, study.name);
+  for (const DoneJob& job : jobs) done.insert(job.key);
   std::set<std::string> seen;
   for (const mpm::Scene& scene : study.scenes) {
     if (!seen.insert(job_key(scene)).second) continue;  // a value that stands twice in a list counts once
@@ -198,9 +167,9 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
     results.done.push_back({key, ladder.scenes[rung], {}, {}, {}});
     drawn += key;
   }
-  for (const auto& row : rows.rows)
-    for (std::size_t k = 1; k < row.size(); ++k)
-      if (const auto value = number_of(row[k])) drawn += fmt::format(" {:a}", *value);
+  for (const DoneJob& job : jobs)
+    for (const auto& value : {job.energy_error, job.final_area, job.final_area_error})
+      if (value) drawn += fmt::format(" {:a}", *value);
   results.fingerprint = fmt::format("{:016x}", XXH3_64bits(drawn.data(), drawn.size()));
   return results;
 }
@@ -211,48 +180,26 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
     if (is_doubtful(job.flags)) return std::nullopt;
     return critical == CriticalResult::bracket ? job.critical : job.extrapolated;
   }
-  const mpm::ResultRow* known = mpm::find_result(name);
   if (is_of_the_final_area(name) && !flags_of(results, job).empty()) return std::nullopt;
-  Rows rows;
-  if (known && known->column) {
-    const std::string_view error = known->error_column.empty() ? "NULL" : known->error_column;
-    const SqlValue parameters[] = {job.key, results.study};
-    rows =
-        query(results.folder,
-              fmt::format("SELECT {}, {} FROM jobs WHERE key = ?1 AND study = ?2", name, error), parameters);
-  } else {
-    rows = ask(results, fmt::format("SELECT value, error FROM metrics WHERE key = ?1 AND name = '{}'", name),
-               job.key);
-  }
-  if (rows.rows.empty()) return std::nullopt;
-  const auto value = number_of(rows.rows[0][0]);
-  if (!value) return std::nullopt;
-  return Measured{*value, number_of(rows.rows[0][1])};
+  const JobResult result = result_of_job(results.folder, results.study, job.key, name);
+  if (!result.value) return std::nullopt;
+  return Measured{*result.value, result.error};
 }
 
 std::string unit_of(const StudyResults& results, const std::string& name) {
   if (results.critical && critical_result(name)) return std::string(results.critical->unit);
   if (const mpm::ResultRow* row = mpm::find_result(name))
     return row->column ? analysis::with_powers(row->unit) : std::string(row->unit);
-  const Rows rows = ask(results, "SELECT unit FROM metrics WHERE name = ?1 LIMIT 1", name);
-  return rows.rows.empty() ? "1" : std::get<std::string>(rows.rows[0][0]);
+  return unit_of_metric(results.folder, name);
 }
 
 std::vector<mpm::AreaSample> area_history_of(const StudyResults& results, const JobResults& job) {
-  const Rows rows =
-      ask(results, "SELECT time_s, area_m2, void_area_m2 FROM area_history WHERE key = ?1 ORDER BY time_s",
-          job.key);
-  std::vector<mpm::AreaSample> history;
-  for (const auto& row : rows.rows)
-    history.push_back(
-        {number_of(row[0]).value_or(0), number_of(row[1]).value_or(0), number_of(row[2]).value_or(0)});
-  return history;
+  return area_history_of_job(results.folder, job.key);
 }
 
 std::vector<std::filesystem::path> snapshots_of(const StudyResults& results, const JobResults& job) {
-  const Rows rows = ask(results, "SELECT path FROM snapshots WHERE key = ?1 ORDER BY time_s", job.key);
   std::vector<std::filesystem::path> files;
-  for (const auto& row : rows.rows) files.push_back(results.folder / std::get<std::string>(row[0]));
+  for (const auto& path : snapshot_paths(results.folder, job.key)) files.push_back(results.folder / path);
   return files;
 }
 

@@ -54,8 +54,6 @@ std::vector<std::string> left_out(const Study&, const StudyResults&);
 /// value, or the run at the lower end had not decided. One that says "failed at ..." is proven by the runs at
 /// its ends all the same.
 bool is_doubtful(const std::string& flags_of_bracket);
-/// The same over the view `brackets` or `critical_speed`: SQL that holds where a bracket is not doubtful.
-std::string undoubted_sql(const std::string& column = "flags");
 /// Brackets that are drawn and fitted although they have flags, a line each: "impact_speed of the bracket at
 /// cell_size = 0.1 um: failed at 900 m/s".
 std::vector<std::string> flagged_brackets(const Study&, const StudyResults&);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "runner/catalog/query.hpp"
+#include "runner/catalog/accuracy.hpp"
 #include "runner/ladder/climb.hpp"
 #include "runner/study/requests.hpp"
 
@@ -21,26 +21,15 @@ struct OnCells {
 /// quantity -> what the cells under one job have of it.
 using Ladder = std::map<std::string, OnCells>;
 
-std::optional<double> finite_real(const SqlValue& value) {
-  const auto* real = std::get_if<double>(&value);
-  return real && std::isfinite(*real) ? std::optional(*real) : std::nullopt;
-}
-
 std::map<std::string, Ladder> read_ladders(const Study& study, const std::filesystem::path& results) {
-  const SqlValue name = study.name;
-  const Rows rows = query(results,
-                          "SELECT key, rung_key, cell_size_m, quantity, value, unit, measuring_error FROM "
-                          "ladders WHERE study = ?1 AND status = 'done' AND value IS NOT NULL",
-                          std::span(&name, 1));
   std::map<std::string, Ladder> ladders;
-  for (const auto& row : rows.rows) {
-    const auto cell = finite_real(row[2]), value = finite_real(row[4]);
-    if (!cell || !value) continue;
-    const std::string& key = std::get<std::string>(row[0]);
-    OnCells& measured = ladders[key][std::get<std::string>(row[3])];
-    measured.points.push_back({*cell, *value, std::abs(finite_real(row[6]).value_or(0))});
-    measured.unit = std::get<std::string>(row[5]);
-    measured.at_finest = measured.at_finest || std::get<std::string>(row[1]) == key;
+  for (const LadderValue& v : ladder_values(results, study.name)) {
+    if (!std::isfinite(v.cell_size) || !std::isfinite(v.value)) continue;
+    const double error = std::abs(v.measuring_error.value_or(0));
+    OnCells& measured = ladders[v.key][v.quantity];
+    measured.points.push_back({v.cell_size, v.value, std::isfinite(error) ? error : 0});
+    measured.unit = v.unit;
+    measured.at_finest = measured.at_finest || v.rung_key == v.key;
   }
   return ladders;
 }

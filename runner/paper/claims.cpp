@@ -21,11 +21,7 @@ std::vector<Claim> judge_claims(const std::filesystem::path& results, const std:
     const StudyStanding& own = e.standing(c.study);
     if (own.standing == Standing::undecided) c.verdict = "not decided";
     c.measured = own.why;
-    if (const auto flags =
-            e.text(c.study,
-                   "SELECT flags FROM jobs WHERE study = ?1 AND status = 'done' AND flags <> '' "
-                   "ORDER BY position LIMIT 1");
-        flags && own.standing == Standing::whole) {
+    if (const auto flags = e.flags(c.study)) {
       c.verdict = "not decided";
       c.measured = *flags;
     }

@@ -79,11 +79,11 @@ std::vector<HotSpot> hot_spots_of(const Evidence& evidence, const std::string& s
 }
 
 std::vector<Cavities> cavities_of(const Evidence& evidence, const std::string& study) {
-  const auto cell = evidence.number(
-      study, "SELECT cell_size_m FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY position LIMIT 1");
   std::vector<Cavities> cavities;
-  if (cell)
-    evidence.each_snapshot(study, [&](const mpm::Snapshot& s) { cavities.push_back(cavities_of(s, *cell)); });
+  if (const auto job = evidence.first_done(study, {"cell_size"})) {
+    const double cell = number_of(job->parameters[0]).value();
+    evidence.each_snapshot(study, [&](const mpm::Snapshot& s) { cavities.push_back(cavities_of(s, cell)); });
+  }
   return cavities;
 }
 

@@ -17,7 +17,7 @@ namespace {
 /// The snapshot, after the jet has struck, in which least is empty; end() if the jet does not strike.
 std::vector<Cavities>::const_iterator filled(const Evidence& e, const std::vector<Cavities>& cavities,
                                              const std::string& study) {
-  const auto impact = e.metric(study, "jet_impact_time_s");
+  const auto impact = e.result(study, "jet_impact_time_s");
   const auto after =
       std::ranges::find_if(cavities, [&](const Cavities& at) { return impact && at.time > *impact; });
   return std::ranges::min_element(after, cavities.end(), {}, &Cavities::total);
@@ -28,27 +28,25 @@ std::vector<Cavities>::const_iterator filled(const Evidence& e, const std::vecto
 Claim wall_broken(const Evidence& e) {
   Claim c = claim("wall-broken", "At 1120 m/s the jet breaks the downstream wall, d = 3 um thick",
                   "strong-collapse");
-  const auto outcome = e.text(
-      c.study, "SELECT outcome FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY position LIMIT 1");
-  const auto margin = e.metric(c.study, "decision_margin"),
-             open = e.metric(c.study, "cavity_joined_outside_time_s");
-  const auto cell = e.number(
-      c.study, "SELECT cell_size_m FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY position LIMIT 1");
-  if (!outcome || !cell) return c;
+  const auto job = e.first_done(c.study, {"cell_size"});
+  const auto margin = e.result(c.study, "decision_margin"),
+             open = e.result(c.study, "cavity_joined_outside_time_s");
+  if (!job || job->outcome.empty()) return c;
+  const std::string& outcome = job->outcome;
+  const double cell = number_of(job->parameters[0]).value();
   // The wall parts where particles are farther apart than a cell: one that is whole on a coarse cell may be
   // broken on a finer one.
   constexpr double finest_cell = 0.0505e-6;  // of the reference, with room for rounding
-  const Truth whole = *cell > finest_cell ? Truth::open : Truth::no;
+  const Truth whole = cell > finest_cell ? Truth::open : Truth::no;
   judge(
-      c, open || *outcome == "ejected" ? Truth::yes : whole,
+      c, open || outcome == "ejected" ? Truth::yes : whole,
       (open ? fmt::format("cavity open to the outside from {:.1f} ns on", *open * 1e9)
-            : fmt::format("the wall stays whole on cells of {:.3g} um", *cell * 1e6)) +
-          "; what is above it is " + *outcome +
+            : fmt::format("the wall stays whole on cells of {:.3g} um", cell * 1e6)) +
+          "; what is above it is " + outcome +
           (margin ? fmt::format(", by {:+.0f} % of the impact speed", 100 * *margin) : "") +
-          ". Ejection takes " + critical_speed_at_3_um(e, "critical-speed", "1") +
-          ", with a spall strength of 1 GPa " +
-          critical_speed_at_3_um(e, "critical-speed-spall", "j.spall_strength_Pa = 1e9") + ", of 3 GPa " +
-          critical_speed_at_3_um(e, "critical-speed-spall", "j.spall_strength_Pa = 3e9"),
+          ". Ejection takes " + critical_speed_at_3_um(e, "critical-speed", {}) +
+          ", with a spall strength of 1 GPa " + critical_speed_at_3_um(e, "critical-speed-spall", 1e9) +
+          ", of 3 GPa " + critical_speed_at_3_um(e, "critical-speed-spall", 3e9),
       "broken: the cavity is open, or material is ejected. The paper has no failure model: its wall parts by "
       "the grid, and so does ours, later on coarser cells. Critical speeds for cells of size 0");
   return c;

@@ -1,7 +1,9 @@
 #pragma once
 /// The paper's claims, one function each, by the subject that their file is named after. Without the numbers
 /// that a claim needs its verdict is not_run, and `measured` is empty.
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "runner/catalog/records.hpp"
 #include "runner/finish/evidence.hpp"
@@ -24,8 +26,9 @@ Claim coalescence(const Evidence&);
 Claim parabola(const Evidence&);
 Claim critical_values(const Evidence&);
 /// "1375 ± 80 m/s": the critical speed of the wall that is 3 um thick, for cells of size 0; "not run".
-/// `spall`: SQL on a row j of the view `jobs`; "1": all.
-std::string critical_speed_at_3_um(const Evidence&, const std::string& study, const std::string& spall);
+/// Of jobs with that spall strength [Pa]; without one, of all.
+std::string critical_speed_at_3_um(const Evidence&, const std::string& study,
+                                   std::optional<double> spall_strength);
 
 // weak_collapse.cpp: Figs. 5 to 7, at 200 m/s.
 Claim incomplete(const Evidence&);
@@ -38,5 +41,9 @@ Claim hottest_below(const Evidence&);
 Claim falls_with_radius(const Evidence&);
 Claim falls_with_yield(const Evidence&);
 Claim scale_invariance(const Evidence&);
+/// Collapsibilities of done jobs whose final area has a meaning, in the order of a parameter; "": of the
+/// sweep.
+std::vector<Measured> collapsibilities(const Evidence&, const std::string& study,
+                                       const std::string& parameter);
 
 }  // namespace mpmstudy

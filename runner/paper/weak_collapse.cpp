@@ -12,16 +12,21 @@
 #include "runner/paper/verdict.hpp"
 
 namespace mpmstudy {
+namespace {
+
+constexpr double height_beyond_fig_5 = 1.95e-6;  ///< of the middle of a cavity [m]; Fig. 5 has 1.9 um
+
+}  // namespace
+
 Claim incomplete(const Evidence& e) {
   Claim c =
       claim("incomplete-collapse", "At 200 m/s the cavity is not collapsed completely", "weak-collapse");
-  const auto phi = e.collapsibilities(c.study, "position");
-  const auto outcome = e.text(
-      c.study, "SELECT outcome FROM jobs WHERE study = ?1 AND status = 'done' ORDER BY position LIMIT 1");
+  const auto phi = collapsibilities(e, c.study, "");
+  const auto job = e.first_done(c.study);
   if (phi.empty()) return c;
   // A share has no room above 1: only a cavity that was seen to close is collapsed completely.
   const Truth below = is_below(phi[0], 1);
-  const bool closed = outcome && *outcome == "collapsed";
+  const bool closed = job && job->outcome == "collapsed";
   judge(c,
         below == Truth::yes ? Truth::yes
         : closed            ? Truth::no
@@ -35,8 +40,8 @@ Claim less_along_shock(const Evidence& e) {
   Claim c =
       claim("less-collapse-along-shock",
             "Near the impact face the cavity collapses less along the shock than across it", "weak-collapse");
-  if (const auto ratio = e.measured(c.study, "aspect_ratio", "position"); !ratio.empty())
-    judge(c, is_below(ratio[0], 1), "width / height " + with_interval(ratio[0], 3),
+  if (const auto ratio = e.results(c.study, "aspect_ratio"); !ratio.empty())
+    judge(c, is_below(ratio[0].result, 1), "width / height " + with_interval(ratio[0].result, 3),
           "by the markers on its surface, at 16 ns");
   return c;
 }
@@ -46,8 +51,9 @@ Claim lower_part(const Evidence& e) {
       claim("lower-part-collapses-more",
             "The lower part of the cavity collapses more, the more so nearer the impact face than in Fig. 5",
             "symmetry");
-  const auto ratios = e.measured(c.study, "lower_upper_area_ratio", "cavity_center_height_m",
-                                 "j.cavity_center_height_m < 1.95e-6");
+  std::vector<Measured> ratios;
+  for (const ResultAt& one : e.results(c.study, "lower_upper_area_ratio", "cavity_center_height"))
+    if (one.parameter < height_beyond_fig_5) ratios.push_back(one.result);
   if (ratios.size() != 2) return c;
   judge(c, both(falls(std::vector{ratios[1], ratios[0]}), is_below(ratios[1], 1)),
         fmt::format("area below / above its middle: {} tangent to the face, {} where Fig. 5 has it",
@@ -60,8 +66,9 @@ Claim lower_part(const Evidence& e) {
 Claim isotropic(const Evidence& e) {
   Claim c = claim("isotropic-far-away", "Farther from the impact face the collapse is nearly isotropic",
                   "symmetry");
-  const auto ratios =
-      e.measured(c.study, "aspect_ratio", "cavity_center_height_m", "j.cavity_center_height_m > 1.95e-6");
+  std::vector<Measured> ratios;
+  for (const ResultAt& one : e.results(c.study, "aspect_ratio", "cavity_center_height"))
+    if (one.parameter > height_beyond_fig_5) ratios.push_back(one.result);
   if (ratios.empty()) return c;
   const auto distance = [](const Measured& r) { return std::abs(std::log(r.value)); };
   const Measured roundest = *std::ranges::min_element(ratios, {}, distance);
