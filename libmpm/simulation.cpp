@@ -70,9 +70,8 @@ State checked_state(const Scene& scene) {
 State checked_body(const Scene& scene, State body) {
   const std::size_t n = body.particles.size();
   if (body.velocity_gradient.empty()) body.velocity_gradient.assign(n, Mat2::Zero());
-  if (scene.material.hardens_kinematically() && body.particles.back_stress.empty())
-    body.particles.back_stress.resize(n);
   refuse(find_problems(scene, body));
+  body.particles.keep(state_columns(scene.material));
   return body;
 }
 
@@ -88,17 +87,14 @@ struct Simulation::Parts {
   Parts(const Scene& s, State body, double speed)
       : scene(s),
         state(std::move(body)),
-        material(build_material(s)),
         stepper(stepper_for(s)),
-        temperature{material.eos, s.material.specific_heat, s.material.initial_temperature},
+        temperature(s.material),
         balance(state),
         health(s, state, speed),
         schedule(s) {
     // Before the first step nothing is stressed: the fastest signal is that of the impact, with its
     // viscosity.
-    const double sound = std::sqrt(material.eos.sound_speed_squared(MieGrueneisen::Volume(0), 0) +
-                                   4 * material.strength.shear_modulus / (3 * material.eos.rho0));
-    signal = 3 * (sound + speed);
+    signal = 3 * (sound_speed_at_rest(s.material) + speed);
   }
 
   bool decided() const {
@@ -118,7 +114,6 @@ struct Simulation::Parts {
 
   Scene scene;
   State state;
-  MaterialModel material;
   std::unique_ptr<Stepper> stepper;
   Temperature temperature;
   std::vector<std::unique_ptr<Measurement>> measurements;

@@ -11,6 +11,12 @@ struct FullGradient {
   N xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
 
+/// A symmetric tensor.
+template <class N>
+struct FullSymmetric {
+  N xx, yy, zz, xy, xz, yz;
+};
+
 /// A strain over a step.
 template <class N>
 struct FullIncrement {
@@ -34,6 +40,19 @@ MPM_INLINE N trace(const FullIncrement<N>& e) {
   return e.xx + e.yy + e.zz;
 }
 
+template <class N>
+MPM_INLINE N trace(const FullSymmetric<N>& a) {
+  return a.xx + a.yy + a.zz;
+}
+template <class N>
+MPM_INLINE N norm_square(const FullSymmetric<N>& a) {
+  return a.xx * a.xx + a.yy * a.yy + a.zz * a.zz + 2 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz);
+}
+template <class N>
+MPM_INLINE FullDeviator<N> deviator(const FullSymmetric<N>& a) {
+  const N mean = trace(a) * Scalar<N>(1.0 / 3.0);
+  return {a.xx - mean, a.yy - mean, a.xy, a.xz, a.yz};
+}
 template <class N>
 MPM_INLINE FullDeviator<N> deviator(const FullIncrement<N>& e) {
   const N mean = trace(e) * Scalar<N>(1.0 / 3.0);
@@ -136,7 +155,36 @@ MPM_INLINE FullRotation<N> rotation_of_spin(const FullGradient<N>& l) {
           twice * (xz - y),      twice * (yz + x),      1 - twice * (xx + yy)};
 }
 
-/// Components of a deviator, one after the other, as models keep them in columns of their own.
+/// (1 + l) (1 + a) (1 + l)^T - 1, so that small strains keep their digits.
+template <class N>
+MPM_INLINE FullSymmetric<N> carried(const FullGradient<N>& l, const FullSymmetric<N>& a) {
+  // l (1 + a)
+  const N xx = l.xx * (1 + a.xx) + l.xy * a.xy + l.xz * a.xz,
+          xy = l.xx * a.xy + l.xy * (1 + a.yy) + l.xz * a.yz,
+          xz = l.xx * a.xz + l.xy * a.yz + l.xz * (1 + a.zz);
+  const N yx = l.yx * (1 + a.xx) + l.yy * a.xy + l.yz * a.xz,
+          yy = l.yx * a.xy + l.yy * (1 + a.yy) + l.yz * a.yz,
+          yz = l.yx * a.xz + l.yy * a.yz + l.yz * (1 + a.zz);
+  const N zx = l.zx * (1 + a.xx) + l.zy * a.xy + l.zz * a.xz,
+          zy = l.zx * a.xy + l.zy * (1 + a.yy) + l.zz * a.yz,
+          zz = l.zx * a.xz + l.zy * a.yz + l.zz * (1 + a.zz);
+  return {a.xx + (2 * xx + (xx * l.xx + xy * l.xy + xz * l.xz)),
+          a.yy + (2 * yy + (yx * l.yx + yy * l.yy + yz * l.yz)),
+          a.zz + (2 * zz + (zx * l.zx + zy * l.zy + zz * l.zz)),
+          a.xy + ((xy + yx) + (xx * l.yx + xy * l.yy + xz * l.yz)),
+          a.xz + ((xz + zx) + (xx * l.zx + xy * l.zy + xz * l.zz)),
+          a.yz + ((yz + zy) + (yx * l.zx + yy * l.zy + yz * l.zz))};
+}
+
+/// Components of a tensor, one after the other, as models keep them in columns of their own.
+template <class N>
+MPM_INLINE void load(const N* from, FullSymmetric<N>& a) {
+  a = {from[0], from[1], from[2], from[3], from[4], from[5]};
+}
+template <class N>
+MPM_INLINE void store(const FullSymmetric<N>& a, N* to) {
+  to[0] = a.xx, to[1] = a.yy, to[2] = a.zz, to[3] = a.xy, to[4] = a.xz, to[5] = a.yz;
+}
 template <class N>
 MPM_INLINE void load(const N* from, FullDeviator<N>& a) {
   a = {from[0], from[1], from[2], from[3], from[4]};

@@ -18,6 +18,8 @@ template <>
 struct Number<double> {
   using Scalar = double;
   static MPM_INLINE double square_root(double a) { return std::sqrt(a); }
+  /// ln(1 + a)
+  static MPM_INLINE double logarithm_of_one_plus(double a) { return std::log1p(a); }
   /// The larger one; b where either is not a number.
   static MPM_INLINE double larger(double a, double b) { return a > b ? a : b; }
   /// The smaller one; b where either is not a number.

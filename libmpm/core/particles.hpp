@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "libmpm/core/archive.hpp"
+#include "libmpm/core/state_column.hpp"
 #include "libmpm/core/tensor.hpp"
 
 namespace mpm {
@@ -23,12 +24,10 @@ struct BasicParticles {
   std::vector<double> pressure;  ///< of the equation of state [Pa]
   std::vector<double> viscous_pressure;  ///< q >= 0 [Pa]
   std::vector<Tensor<axes>> deviator;    ///< s [Pa]
-  std::vector<double> plastic_strain;    ///< equivalent [1]
-  std::vector<double> plastic_work;      ///< per mass [J/kg]
   std::vector<Vector> half_size;         ///< of the particle's domain [m]
   /// Half edges of the particle's parallelogram, as columns [m]; empty with schemes that have none (Cpdi).
   std::vector<Mat<axes>> domain;
-  std::vector<Tensor<axes>> back_stress;  ///< [Pa]; empty without kinematic hardening
+  std::vector<MaterialColumn> own;  ///< what the material model keeps beside these; see keep()
   /// Velocity gradient that the particle carries [1/s], and the kinetic energy of that motion [J/kg]; empty
   /// with transfers that carry none (Apic).
   std::vector<Mat<axes>> affine;
@@ -49,6 +48,16 @@ struct BasicParticles {
   Tensor<axes> stress(std::size_t p) const {
     return plus_mean(deviator[p], -(pressure[p] + viscous_pressure[p]));
   }
+
+  /// The values of a column of the material; empty where the model has none of that name.
+  std::span<const double> own_values(std::string_view name) const;
+  std::span<double> own_values(std::string_view name);
+  /// Gives the particles the columns of a model, where they have none yet. Throws std::logic_error where they
+  /// have those of another model.
+  void keep(std::span<const StateColumn> columns);
+  /// The numbers of a particle's own columns, one column after the other.
+  void read_own(std::size_t p, double* to) const;
+  void write_own(std::size_t p, const double* from);
 
   void reserve(std::size_t n);
   /// Adds a particle at rest, without stress.

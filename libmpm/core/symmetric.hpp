@@ -12,6 +12,19 @@ struct Gradient {
   N xx, xy, yx, yy;
 };
 
+/// ... and dt v_r / r along the hoop.
+template <class N>
+struct AxialGradient {
+  Gradient<N> plane;
+  N hoop;
+};
+
+/// A symmetric tensor.
+template <class N>
+struct Symmetric {
+  N xx, yy, zz, xy;
+};
+
 /// A strain over a step, with zz = 0.
 template <class N>
 struct PlaneIncrement {
@@ -46,6 +59,19 @@ MPM_INLINE N trace(const AxialIncrement<N>& e) {
   return e.xx + e.yy + e.zz;
 }
 
+template <class N>
+MPM_INLINE N trace(const Symmetric<N>& a) {
+  return a.xx + a.yy + a.zz;
+}
+template <class N>
+MPM_INLINE N norm_square(const Symmetric<N>& a) {
+  return a.xx * a.xx + a.yy * a.yy + a.zz * a.zz + 2 * (a.xy * a.xy);
+}
+template <class N>
+MPM_INLINE Deviator<N> deviator(const Symmetric<N>& a) {
+  const N mean = trace(a) * Scalar<N>(1.0 / 3.0);
+  return {a.xx - mean, a.yy - mean, a.xy};
+}
 template <class N>
 MPM_INLINE Deviator<N> deviator(const PlaneIncrement<N>& e) {
   const N mean = (e.xx + e.yy) * Scalar<N>(1.0 / 3.0);
@@ -102,7 +128,32 @@ MPM_INLINE Deviator<N> rotated(const PlaneRotation<N>& r, const Deviator<N>& a) 
   return {xx, in_plane - xx, cs * (a.xx - a.yy) + double_cosine * a.xy};
 }
 
-/// Components of a deviator, one after the other, as models keep them in columns of their own.
+/// (1 + l) (1 + a) (1 + l)^T - 1, so that small strains keep their digits.
+template <class N>
+MPM_INLINE Symmetric<N> carried(const Gradient<N>& l, const Symmetric<N>& a) {
+  // l (1 + a)
+  const N xx = l.xx * (1 + a.xx) + l.xy * a.xy, xy = l.xx * a.xy + l.xy * (1 + a.yy);
+  const N yx = l.yx * (1 + a.xx) + l.yy * a.xy, yy = l.yx * a.xy + l.yy * (1 + a.yy);
+  return {a.xx + (2 * xx + (xx * l.xx + xy * l.xy)), a.yy + (2 * yy + (yx * l.yx + yy * l.yy)), a.zz,
+          a.xy + ((xy + yx) + (xx * l.yx + xy * l.yy))};
+}
+template <class N>
+MPM_INLINE Symmetric<N> carried(const AxialGradient<N>& l, const Symmetric<N>& a) {
+  Symmetric<N> b = carried(l.plane, a);
+  const N zz = l.hoop * (1 + a.zz);
+  b.zz = a.zz + (2 * zz + zz * l.hoop);
+  return b;
+}
+
+/// Components of a tensor, one after the other, as models keep them in columns of their own.
+template <class N>
+MPM_INLINE void load(const N* from, Symmetric<N>& a) {
+  a = {from[0], from[1], from[2], from[3]};
+}
+template <class N>
+MPM_INLINE void store(const Symmetric<N>& a, N* to) {
+  to[0] = a.xx, to[1] = a.yy, to[2] = a.zz, to[3] = a.xy;
+}
 template <class N>
 MPM_INLINE void load(const N* from, Deviator<N>& a) {
   a = {from[0], from[1], from[2]};

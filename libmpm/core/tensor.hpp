@@ -2,6 +2,7 @@
 /// Small vectors and tensors of two and of three axes, and the two sign rules of the whole library:
 /// stress is positive in tension, pressure is positive in compression.
 #include <Eigen/Core>
+#include <cmath>
 #include <type_traits>
 
 namespace mpm {
@@ -50,6 +51,12 @@ inline double contract(const PlaneTensor& a, const PlaneTensor& b) {
 }
 inline double contract(const FullTensor& a, const FullTensor& b) {
   return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
+}
+
+/// sqrt(3/2 s : s) of a deviator s.
+template <class T>
+double von_mises(const T& deviator) {
+  return std::sqrt(1.5 * contract(deviator, deviator));
 }
 
 /// t g, along the axes of the grid

@@ -3,6 +3,12 @@
 namespace mpm {
 namespace {
 
+/// Of a column of the material; 0 where its model has none of that name.
+double number_of(const State& s, std::string_view column, std::size_t p) {
+  const std::span<const double> values = s.particles.own_values(column);
+  return values.empty() ? 0 : values[p];
+}
+
 #define OF [](const State& s, std::size_t p, [[maybe_unused]] const Temperature& temperature) -> double
 // clang-format off
 /// Stress is without artificial viscosity, as the pressure is.
@@ -16,7 +22,7 @@ constexpr Field table[] = {
     {"pressure", "Pa", "P", "", "Pressure", &Snapshot::pressure,
      OF { return s.particles.pressure[p]; }},
     {"von_mises", "Pa", "q", "Von Mises stress", "VonMises", &Snapshot::von_mises,
-     OF { return J2::von_mises(s.particles.deviator[p]); }},
+     OF { return von_mises(s.particles.deviator[p]); }},
     {"stress_xx", "Pa", "", "", "StressXX", &Snapshot::stress_xx,
      OF { return s.particles.deviator[p].xx - s.particles.pressure[p]; }},
     {"stress_yy", "Pa", "", "", "StressYY", &Snapshot::stress_yy,
@@ -26,9 +32,9 @@ constexpr Field table[] = {
     {"stress_zz", "Pa", "", "", "StressZZ", &Snapshot::stress_zz,
      OF { return s.particles.deviator[p].zz - s.particles.pressure[p]; }},
     {"equivalent_plastic_strain", "1", "", "", "PlasticStrain", &Snapshot::equivalent_plastic_strain,
-     OF { return s.particles.plastic_strain[p]; }},
+     OF { return number_of(s, "plastic_strain", p); }},
     {"plastic_work", "J/m^3", "", "", "PlasticWork", &Snapshot::plastic_work,
-     OF { return s.particles.plastic_work[p] * s.particles.density(p); }},
+     OF { return number_of(s, "plastic_work", p) * s.particles.density(p); }},
     {"specific_internal_energy", "J/kg", "e", "", "InternalEnergy", &Snapshot::specific_internal_energy,
      OF { return s.particles.energy[p]; }},
     {"temperature", "K", "T", "", "Temperature", &Snapshot::temperature,

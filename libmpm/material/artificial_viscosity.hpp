@@ -13,6 +13,12 @@ struct BasicArtificialViscosity {
   Real quadratic;  ///< q2 [1]
   Real length;     ///< h [m]
 
+  /// The same coefficients, rounded.
+  template <class Other>
+  static BasicArtificialViscosity from(const BasicArtificialViscosity<Other>& o) {
+    return {static_cast<Real>(o.linear), static_cast<Real>(o.quadratic), static_cast<Real>(o.length)};
+  }
+
   template <class N>
   struct Response {
     N speed;     ///< that viscosity adds to the signal, q / (rho h |theta|) [m/s]; 0 in expansion

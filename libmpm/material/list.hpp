@@ -1,9 +1,11 @@
 #pragma once
 /// The material models that are compiled, for the plain and the fast step, each number and each instruction
 /// set. A line more is all that a new one needs here.
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 
+#include "libmpm/material/neo_hookean.hpp"
 #include "libmpm/material/solid.hpp"
 
 namespace mpm {
@@ -18,15 +20,15 @@ using CompiledModels = ModelList<  //
     Solid<Real, Elastic, false>,   //
     Solid<Real, IsotropicHardening, false>, Solid<Real, KinematicHardening, false>,
     Solid<Real, Elastic, true>,  //
-    Solid<Real, IsotropicHardening, true>, Solid<Real, KinematicHardening, true>>;
+    Solid<Real, IsotropicHardening, true>, Solid<Real, KinematicHardening, true>, NeoHookean<Real>>;
 
 namespace detail {
 template <class Use, class... Models>
-void with_first(const MaterialModel& m, Use& use, ModelList<Models...>) {
+void with_first(const Material& m, Use& use, ModelList<Models...>) {
   std::size_t index = 0;
   const auto tried = [&]<class Model>() {
     if (!Model::fits(m)) return ++index, false;
-    use(Model(m), index);
+    use.template operator()<Model>(index);
     return true;
   };
   if (!(tried.template operator()<Models>() || ...))
@@ -34,10 +36,22 @@ void with_first(const MaterialModel& m, Use& use, ModelList<Models...>) {
 }
 }  // namespace detail
 
-/// Calls use(model, place in the list) with the first model that fits.
+/// Calls use.operator()<Model>(place in the list) with the first model that fits.
 template <class Real, class Use>
-void with_model(const MaterialModel& m, Use use) {
+void with_model_type(const Material& m, Use use) {
   detail::with_first(m, use, CompiledModels<Real>{});
 }
+
+/// Calls use(model, place in the list) with it.
+template <class Real, class Use>
+void with_model(const MaterialModel& m, Use use) {
+  with_model_type<Real>(m.material, [&]<class Model>(std::size_t place) { use(Model(m), place); });
+}
+
+/// The most numbers that a compiled model keeps of a particle.
+template <class Real, int axes>
+constexpr int most_own_numbers = []<class... Models>(ModelList<Models...>) {
+  return std::max({numbers_in(Models::state, axes)...});
+}(CompiledModels<Real>{});
 
 }  // namespace mpm

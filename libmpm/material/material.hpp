@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "libmpm/core/state_column.hpp"
+
 namespace mpm {
 
 /// How pressure behaves once the material is expanded (rho < rho0).
@@ -20,9 +22,16 @@ enum class HardeningMeasure {
   tangent,     ///< uniaxial tangent modulus: H = E E_h / (E - E_h)
 };
 
+/// What relates stress to motion.
+enum class MaterialLaw {
+  solid,        ///< an equation of state and a hypoelastic, perhaps plastic deviator: solid.hpp
+  neo_hookean,  ///< elastic at any strain, without heat: neo_hookean.hpp
+};
+
 /// Everything that a scene says about its material. SI units. Plain data; kernels build their own from it.
 struct Material {
   std::string name = "aluminium";
+  MaterialLaw law = MaterialLaw::solid;
   double reference_density = 0;  ///< rho0 [kg/m^3]
   double youngs_modulus = 0;     ///< E [Pa]
   double poissons_ratio = 0;     ///< nu [1]
@@ -44,8 +53,19 @@ struct Material {
     return std::isfinite(yield_stress) && kinematic_fraction > 0 && hardening_modulus > 0;
   }
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }  ///< G [Pa]
-  double hardening_per_equivalent_strain() const;                                       ///< H [Pa]
+  double lame_lambda() const {
+    return youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
+  }                                                ///< [Pa]
+  double hardening_per_equivalent_strain() const;  ///< H [Pa]
 };
+
+/// Longitudinal [m/s].
+double sound_speed_at_rest(const Material&);
+/// Of the shock that takes material at rest to this particle speed [m/s]: by the Hugoniot of the equation of
+/// state; of a material without one the longitudinal sound speed.
+double shock_speed(const Material&, double particle_speed);
+/// What the model of the material keeps of a particle.
+std::span<const StateColumn> state_columns(const Material&);
 
 /// The named materials (named.cpp). Throws std::out_of_range for a name that is not in material_names().
 Material named_material(std::string_view name);

@@ -5,7 +5,7 @@
 ///
 /// The step over time dt first describes the motion (strain_over(): density, strain, rotation), then asks for
 /// the deviator, then for the pressure:
-///   shear()  own columns and deviator at the end of the step
+///   shear()  own numbers and deviator at the end of the step
 ///   bulk()   pressure and viscous pressure; speeds of signals
 /// Two calls, because the pressure asks for the work of the deviator, and because a pack's chain of
 /// operations is long: the fast step makes each call for several packs at once.
@@ -13,13 +13,29 @@
 #include <cstddef>
 #include <limits>
 
+#include "libmpm/core/state_column.hpp"
 #include "libmpm/core/symmetric.hpp"
+#include "libmpm/material/artificial_viscosity.hpp"
+#include "libmpm/material/material.hpp"
 #include "libmpm/space/space.hpp"
 
 namespace mpm {
 
+/// What the models are made from: the constants of a material, and the artificial viscosity of the scene.
+struct MaterialModel {
+  Material material;
+  ArtificialViscosity viscosity;
+};
+
+/// Models that need all of dt L say so: `static constexpr bool asks_for_displacement = true`.
+template <class Model>
+concept AsksForDisplacement = Model::asks_for_displacement;
+
+/// In place of dt L, for the other models.
+struct NoDisplacement {};
+
 /// The motion of a particle over a step, seen from its middle.
-template <class N, class Space = space::PlaneStrain>
+template <class N, class Space = space::PlaneStrain, class Displacement = NoDisplacement>
 struct Strain {
   using Increment = typename Space::template Increment<N>;
   using Rotation = typename Space::template Rotation<N>;
@@ -27,7 +43,14 @@ struct Strain {
   Rotation rotation;  ///< of the spin, by the midpoint rule: Hughes & Winget 1980
   N compression;      ///< mu = rho / rho0 - 1 at the end of the step
   N divisor;          ///< 1 / (1 + implicit(J - 1, tr(dt D)))
+  [[no_unique_address]] Displacement displacement{};  ///< dt L
 };
+
+/// What strain_over() makes for a model.
+template <class N, class Space, class Model>
+using StrainFor = Strain<
+    N, Space,
+    std::conditional_t<AsksForDisplacement<Model>, typename Space::template Displacement<N>, NoDisplacement>>;
 
 /// What a model sees of a particle: references to its columns. Tensor: the deviator of the space.
 template <class N, class Tensor = Deviator<N>>
@@ -37,7 +60,7 @@ struct Point {
   Tensor& stress;       ///< deviator of the stress, positive in tension [Pa]
   N& pressure;          ///< positive in compression [Pa]
   N& viscous_pressure;  ///< [Pa]
-  N* own;               ///< the model's own columns
+  N* own;               ///< the numbers of the model's own columns (StateColumn)
 };
 
 /// Speeds of signals in a particle.
@@ -56,7 +79,8 @@ struct Validity {
 
 template <class M, class N, class S = space::PlaneStrain>
 concept MaterialModelOver = requires(const M m, const Point<N, typename S::template Deviator<N>>& point,
-                                     const Strain<N, S>& strain, N n, Scalar<N> dt) {
+                                     const StrainFor<N, S, M>& strain, N n, Scalar<N> dt,
+                                     const Material& material) {
   { m.validity() } -> std::same_as<Validity<Scalar<N>>>;
   /// implicit(J - 1, theta), linear in theta: what the work over the step of the pressure at its end, P theta
   /// / (2 rho), takes from this very pressure, as a share of it. Zero for a pressure that does not depend on
@@ -64,7 +88,12 @@ concept MaterialModelOver = requires(const M m, const Point<N, typename S::templ
   { m.implicit(n, n) } -> std::same_as<N>;
   { m.shear(point, strain) } -> std::same_as<void>;
   { m.bulk(point, strain, dt) } -> std::same_as<Signal<N>>;
-  { M::own_columns } -> std::convertible_to<int>;
+  /// The columns that it keeps of a particle.
+  { M::state } -> std::convertible_to<std::span<const StateColumn>>;
+  /// Whether it is the model of a material.
+  { M::fits(material) } -> std::same_as<bool>;
+  /// Longitudinal [m/s].
+  { M::sound_speed_at_rest(material) } -> std::same_as<double>;
 };
 
 /// Density and motion from dt L = l:
@@ -72,8 +101,8 @@ concept MaterialModelOver = requires(const M m, const Point<N, typename S::templ
 /// One division for four: divisions are slow, and these numbers are all near 1.
 /// `hoop`: dt L_zz, in a space that has it.
 template <class N, class Space = space::PlaneStrain, class Model>
-MPM_INLINE Strain<N, Space> strain_over(N& dilation_column, const Gradient<N>& l, const Model& model,
-                                        [[maybe_unused]] N hoop = N{}) {
+MPM_INLINE StrainFor<N, Space, Model> strain_over(N& dilation_column, const Gradient<N>& l,
+                                                  const Model& model, [[maybe_unused]] N hoop = N{}) {
   using R = Scalar<N>;
   using F = Number<N>;
   // det(1 + l) - 1 without the 1, so that small dilations keep their digits
@@ -108,15 +137,24 @@ MPM_INLINE Strain<N, Space> strain_over(N& dilation_column, const Gradient<N>& l
   typename Strain<N, Space>::Increment rate{xx_det * inverse_det, yy_det * inverse_det,
                                             R(0.5) * (xy_det + yx_det) * inverse_det};
   if constexpr (Space::has_hoop) rate.zz = zz;
-  return {rate,
-          {(det_square - turn_square) * inverse_norm, (turn + turn) * det * inverse_norm},
-          -dilation * (inverse_first * det),
-          det * (inverse_second * norm)};
+  StrainFor<N, Space, Model> strain{
+      rate,
+      {(det_square - turn_square) * inverse_norm, (turn + turn) * det * inverse_norm},
+      -dilation * (inverse_first * det),
+      det * (inverse_second * norm)};
+  if constexpr (AsksForDisplacement<Model>) {
+    if constexpr (Space::has_hoop)
+      strain.displacement = {l, hoop};
+    else
+      strain.displacement = {l};
+  }
+  return strain;
 }
 
 /// The same of three axes.
 template <class N, class Space, class Model>
-MPM_INLINE Strain<N, Space> strain_over(N& dilation_column, const FullGradient<N>& l, const Model& model) {
+MPM_INLINE StrainFor<N, Space, Model> strain_over(N& dilation_column, const FullGradient<N>& l,
+                                                  const Model& model) {
   using F = Number<N>;
   // the second of smaller() wins where it is not a number
   const N dilation = F::smaller(F::all(model.validity().most_dilation),
@@ -124,8 +162,10 @@ MPM_INLINE Strain<N, Space> strain_over(N& dilation_column, const FullGradient<N
   dilation_column = dilation;
   const FullGradient<N> middle = midpoint(l);
   const auto rate = symmetric_part(middle);
-  return {rate, rotation_of_spin(middle), -dilation / (1 + dilation),
-          1 / (1 + model.implicit(dilation, trace(rate)))};
+  StrainFor<N, Space, Model> strain{rate, rotation_of_spin(middle), -dilation / (1 + dilation),
+                                    1 / (1 + model.implicit(dilation, trace(rate)))};
+  if constexpr (AsksForDisplacement<Model>) strain.displacement = {l};
+  return strain;
 }
 
 }  // namespace mpm

@@ -1,16 +1,8 @@
 #pragma once
-#include "libmpm/material/artificial_viscosity.hpp"
 #include "libmpm/material/eos/mie_grueneisen.hpp"
 #include "libmpm/material/strength/j2.hpp"
 
 namespace mpm {
-
-/// The constants of a solid: an equation of state, a strength, the artificial viscosity.
-struct MaterialModel {
-  MieGrueneisen eos;
-  J2 strength;
-  ArtificialViscosity viscosity;
-};
 
 /// A solid whose pressure is linear in its energy, P = cold(J) + thermal e, and whose deviator is
 /// hypoelastic. Particles carry e at half steps, as FLIP carries v: the work of the second half of the step,
@@ -23,15 +15,20 @@ struct Solid {
   BasicJ2<Real> strength;
   BasicArtificialViscosity<Real> viscosity;
 
-  static constexpr int own_columns = Strength::own_columns;
+  static constexpr auto& state = Strength::state;
 
   explicit Solid(const MaterialModel& m)
-      : eos(m.eos),
-        strength(m.strength),
-        viscosity{static_cast<Real>(m.viscosity.linear), static_cast<Real>(m.viscosity.quadratic),
-                  static_cast<Real>(m.viscosity.length)} {}
-  static bool fits(const MaterialModel& m) {
-    return Strength::fits(m.strength) && linear_tension == (m.eos.tension == Tension::linear);
+      : eos(MieGrueneisen(m.material)),
+        strength(J2(m.material)),
+        viscosity(BasicArtificialViscosity<Real>::from(m.viscosity)) {}
+  static bool fits(const Material& m) {
+    return m.law == MaterialLaw::solid && Strength::fits(m) &&
+           linear_tension == (m.tension == Tension::linear);
+  }
+  static double sound_speed_at_rest(const Material& m) {
+    const MieGrueneisen eos(m);
+    return std::sqrt(eos.sound_speed_squared(MieGrueneisen::Volume(0), 0) +
+                     4 * m.shear_modulus() / (3 * eos.rho0));
   }
 
   MPM_INLINE Validity<Real> validity() const {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "libmpm/material/eos/mie_grueneisen.hpp"
 #include "libmpm/measure/energy.hpp"
 
 namespace mpm {
@@ -98,11 +99,7 @@ Health::Health(const Scene& scene, const State& s, double speed)
       mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
       pressure_limit_(scene.material.pressure_limit),
       cell_(s.grid.cell().minCoeff()),
-      largest_signal_(
-          largest_signal_growth *
-          (std::sqrt(scene.material.bulk_sound_speed * scene.material.bulk_sound_speed +
-                     4 * scene.material.shear_modulus() / (3 * scene.material.reference_density)) +
-           speed)) {}
+      largest_signal_(largest_signal_growth * (sound_speed_at_rest(scene.material) + speed)) {}
 
 void Health::after_step(const State&, const StepReport& report, double dt) {
   overstrained_mass_ = std::max(overstrained_mass_, report.overstrained_mass);

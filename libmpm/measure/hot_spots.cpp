@@ -55,8 +55,9 @@ std::span<const ResultRow> HotSpots::results() { return rows; }
 void HotSpots::finish(const State& s, RunResult& result) const {
   const Particles& ps = s.particles;
   std::vector<double> work(ps.size()), temperature(ps.size());
+  const std::span<const double> plastic_work = ps.own_values("plastic_work");
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    work[p] = ps.plastic_work[p] * ps.density(p);
+    work[p] = plastic_work.empty() ? 0 : plastic_work[p] * ps.density(p);
     temperature[p] = temperature_(ps.dilation[p], ps.energy[p]);
   }
   const Spot spot = hottest(ps, work);

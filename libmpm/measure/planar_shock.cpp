@@ -87,7 +87,7 @@ void PlanarShock::after_step(const State& s, const StepReport&, double) {
   times_.push_back(s.time);
   top_speed_.push_back(ps.velocity[top_].y() + impact_speed_);
   for (const std::size_t p : gauges_)
-    readings_.push_back({-ps.stress(p).yy, ps.pressure[p], J2::von_mises(ps.deviator[p])});
+    readings_.push_back({-ps.stress(p).yy, ps.pressure[p], von_mises(ps.deviator[p])});
 }
 
 std::size_t PlanarShock::first_gauge_above(double height) const {

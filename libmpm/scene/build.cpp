@@ -16,16 +16,14 @@ State build_state(const Scene& s) {
   State state = empty_state(l.origin, l.cell, l.columns, kind.floor(s), s.space);
   state.particles.reserve(static_cast<std::size_t>(l.columns * l.rows * side * side));
   fill_rows(state, kind.body(s, l), s.material.reference_density, side, l.empty_rows, l.rows);
-  if (s.material.hardens_kinematically()) state.particles.back_stress.resize(state.particles.size());
+  state.particles.keep(state_columns(s.material));
   return state;
 }
 
 double initial_speed(const Scene& s) { return kind_of(s).fastest(s); }
 
 MaterialModel build_material(const Scene& s) {
-  return {MieGrueneisen(s.material),
-          J2(s.material),
-          {s.numerics.linear_viscosity, s.numerics.quadratic_viscosity, s.numerics.cell_size}};
+  return {s.material, {s.numerics.linear_viscosity, s.numerics.quadratic_viscosity, s.numerics.cell_size}};
 }
 
 }  // namespace mpm

@@ -82,8 +82,7 @@ std::unique_ptr<Stepper> stepper_for(const Scene& s) {
 
 std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene& s, const State& state) {
   Measurements all = kind_of(s).measurements(s, state);
-  all.push_back(std::make_unique<HotSpots>(
-      Temperature{MieGrueneisen(s.material), s.material.specific_heat, s.material.initial_temperature}));
+  all.push_back(std::make_unique<HotSpots>(Temperature(s.material)));
   return all;
 }
 

@@ -1,34 +1,44 @@
 #include "libmpm/scene/effect.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "libmpm/material/row.hpp"
 
 namespace mpm {
 namespace {
 
-bool plastic(const Scene& s) { return std::isfinite(s.material.yield_stress); }
-bool hardens(const Scene& s) { return plastic(s) && s.material.hardening_modulus > 0; }
 bool decides_ejection(const Scene& s) { return s.measures.decides == Decides::ejection; }
 
 double zero(const Scene&) { return 0; }
 
-/// Values of `inert` are those that every job had that named none: their keys stay.
-constexpr Condition table[] = {
-    {"spall_strength", "tension = \"cutoff\"",
-     [](const Scene& s) { return s.material.tension == Tension::cutoff; }, zero},
-    {"hardening_modulus", "a finite yield_stress", plastic, zero},
-    {"hardening_measure", "hardening_modulus above 0 and a finite yield_stress", hardens, zero},
-    {"kinematic_fraction", "hardening_modulus above 0 and a finite yield_stress", hardens, zero},
+constexpr Condition of_scene[] = {
     {"detached_for", "decides = \"ejection\"", decides_ejection,
      [](const Scene& s) { return default_detached_for(s); }},
     {"stop", "decides = \"ejection\"", decides_ejection, zero},
 };
 
+/// Values of `inert` are those that every job had that named none: their keys stay.
+const std::vector<Condition>& table() {
+  static const std::vector<Condition> all = [] {
+    std::vector<Condition> conditions(std::begin(of_scene), std::end(of_scene));
+    const auto add = [&](const auto& row) {
+      if (!row.use.when.empty()) conditions.push_back({row.name, row.use.when, row.use, zero});
+    };
+    std::ranges::for_each(material_rows(), add);
+    std::ranges::for_each(material_choices(), add);
+    return conditions;
+  }();
+  return all;
+}
+
 }  // namespace
 
-std::span<const Condition> conditions() { return table; }
+std::span<const Condition> conditions() { return table(); }
 
 const Condition* condition_of(std::string_view parameter) {
-  for (const Condition& condition : table)
+  for (const Condition& condition : table())
     if (condition.parameter == parameter) return &condition;
   return nullptr;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "libmpm/material/row.hpp"
 #include "libmpm/scene/scene.hpp"
 
 namespace mpm {
@@ -12,11 +13,23 @@ namespace mpm {
 /// Measures::detached_for where a study says nothing: a sixteenth of end_time (1 ns of 16 ns) [s].
 constexpr double default_detached_for(const Scene& s) { return s.end_time / 16; }
 
+/// Whether a parameter has an effect in a scene: by the scene, or by its material.
+class Holds {
+ public:
+  constexpr Holds(bool (*of_scene)(const Scene&)) : of_scene_(of_scene) {}
+  constexpr Holds(const MaterialUse& use) : of_material_(use.holds) {}
+  bool operator()(const Scene& s) const { return of_scene_ ? of_scene_(s) : of_material_(s.material); }
+
+ private:
+  bool (*of_scene_)(const Scene&) = nullptr;
+  bool (*of_material_)(const Material&) = nullptr;
+};
+
 /// When a parameter has an effect.
 struct Condition {
-  std::string_view parameter;     ///< a quantity or a choice of parameters.hpp
-  std::string_view when;          ///< for people: "tension = \"cutoff\""
-  bool (*holds)(const Scene&);    ///< whether it has an effect in this scene
+  std::string_view parameter;  ///< a quantity or a choice of parameters.hpp
+  std::string_view when;       ///< for people: "tension = \"cutoff\""
+  Holds holds;
   double (*inert)(const Scene&);  ///< what stands in a job's key where it has none; of a choice: the index
 };
 

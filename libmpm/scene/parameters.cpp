@@ -12,7 +12,6 @@ namespace {
 
 using S = Scene;
 constexpr auto P = Section::parameters;
-constexpr auto M = Section::material;
 constexpr auto N = Section::numerics;
 constexpr auto positive = Range::positive;
 constexpr auto non_negative = Range::non_negative;
@@ -22,39 +21,11 @@ constexpr bool derived = true;
 
 #define FIELD(member) [](const S& s) -> double { return s.member; }, [](S& s, double v) { s.member = v; }
 
-/// Rows that every kind of scene has.
+/// Rows that every kind of scene has, beside those of the material.
 // clang-format off
 constexpr Quantity common_quantities[] = {
     {"end_time", "s", "t", "end_time_s", "time at which a run ends",
      P, positive, required, "", FIELD(end_time)},
-    {"yield_stress", "Pa", "Y", "yield_stress_Pa", "initial yield stress; infinite: elastic",
-     P, Range::non_negative_or_infinite, optional, "", FIELD(material.yield_stress)},
-
-    {"reference_density", "kg/m3", "", "reference_density_kg_m3", "density at rest",
-     M, positive, optional, "", FIELD(material.reference_density)},
-    {"youngs_modulus", "Pa", "", "youngs_modulus_Pa", "Young's modulus of the deviator",
-     M, positive, optional, "", FIELD(material.youngs_modulus)},
-    {"poissons_ratio", "1", "", "poissons_ratio", "Poisson's ratio of the deviator",
-     M, non_negative, optional, "", FIELD(material.poissons_ratio)},
-    {"hardening_modulus", "Pa", "E", "hardening_modulus_Pa", "hardening modulus, in the measure of hardening_measure",
-     M, non_negative, optional, "", FIELD(material.hardening_modulus)},
-    {"kinematic_fraction", "1", "", "kinematic_fraction", "share of the hardening that is kinematic",
-     M, non_negative, optional, "", FIELD(material.kinematic_fraction)},
-    {"bulk_sound_speed", "m/s", "", "bulk_sound_speed_m_s", "c0 of Us = c0 + lambda Up",
-     M, positive, optional, "", FIELD(material.bulk_sound_speed)},
-    {"hugoniot_slope", "1", "", "hugoniot_slope", "lambda of Us = c0 + lambda Up",
-     M, non_negative, optional, "", FIELD(material.hugoniot_slope)},
-    {"gruneisen_gamma", "1", "", "gruneisen_gamma", "Grueneisen coefficient at rest",
-     M, non_negative, optional, "", FIELD(material.gruneisen_gamma)},
-    {"pressure_limit", "Pa", "", "pressure_limit_Pa", "pressure up to which the equation of state is valid",
-     M, positive, optional, "", FIELD(material.pressure_limit)},
-    {"specific_heat", "J/kg/K", "", "specific_heat_J_kg_K", "specific heat at constant volume",
-     M, positive, optional, "", FIELD(material.specific_heat)},
-    {"initial_temperature", "K", "", "initial_temperature_K", "temperature at rest",
-     M, non_negative, optional, "", FIELD(material.initial_temperature)},
-    {"spall_strength", "Pa", "", "spall_strength_Pa", "tension at which pressure is cut off (tension = \"cutoff\")",
-     M, non_negative, optional, "", FIELD(material.spall_strength)},
-
     {"cell_size", "m", "h", "cell_size_m", "edge of a grid cell",
      N, positive, required, "", FIELD(numerics.cell_size)},
     {"particles_per_cell", "1", "", "particles_per_cell", "particles per cell: 1, 4, 9 or 16",
@@ -76,11 +47,6 @@ constexpr Quantity common_quantities[] = {
 // clang-format on
 #undef FIELD
 
-constexpr auto tension_words = words<Tension>(
-    {{Tension::polynomial, "polynomial"}, {Tension::linear, "linear"}, {Tension::cutoff, "cutoff"}});
-constexpr auto hardening_words = words<HardeningMeasure>({{HardeningMeasure::norm, "norm"},
-                                                          {HardeningMeasure::equivalent, "equivalent"},
-                                                          {HardeningMeasure::tangent, "tangent"}});
 constexpr auto scheme_words = words<ShapeFunction>({{ShapeFunction::gimp, "gimp"},
                                                     {ShapeFunction::bspline2, "bspline2"},
                                                     {ShapeFunction::cpdi, "cpdi"},
@@ -100,9 +66,6 @@ constexpr auto precision_words =
 constexpr Choice common_choices[] = {
     {"space", "space", "plane strain, or axial symmetry about x = 0: circles are spheres, blocks cylinders",
      Section::top, space_words, CHOICE(space), "plane-strain"},
-    {"tension", "tension", "pressure of expanded material", M, tension_words, CHOICE(material.tension)},
-    {"hardening_measure", "hardening_measure", "measure of strain of hardening_modulus", M, hardening_words,
-     CHOICE(material.hardening_measure)},
     {"scheme", "scheme", "shape functions", N, scheme_words, CHOICE(numerics.scheme)},
     {"transfer", "transfer",
      "how particles and grid exchange velocities: acceleration, or velocity and gradient", N, transfer_words,
@@ -115,6 +78,24 @@ constexpr Choice common_choices[] = {
      precision_words, CHOICE(numerics.precision)},
 };
 #undef CHOICE
+
+Quantity quantity_of(const MaterialRow& row) {
+  return {row.name,  row.unit, row.symbol, row.column, row.meaning, row.section,
+          row.range, optional, "",         row,        row};
+}
+Choice choice_of(const MaterialChoice& row) {
+  return {row.name, row.name, row.meaning, Section::material, row.allowed, row, row, row.implied};
+}
+
+/// What all scenes have, in the order of the sections.
+template <class Row, class MaterialRows>
+std::vector<Row> common_rows(std::span<const Row> own, const MaterialRows& of_material,
+                             Row (*row_of)(const typename MaterialRows::value_type&)) {
+  std::vector<Row> rows(own.begin(), own.end());
+  for (const auto& row : of_material) rows.push_back(row_of(row));
+  std::ranges::stable_sort(rows, {}, &Row::section);
+  return rows;
+}
 
 template <class Rows>
 auto find_row(const Rows& rows, std::string_view name) -> decltype(&rows[0]) {
@@ -144,7 +125,7 @@ void add(std::vector<Row>& table, std::span<const Row> rows, SceneKind kind, boo
 /// What scenes of a kind are made of, what all scenes have, and how scenes of a kind are measured and
 /// computed.
 template <class Row>
-std::vector<Row> table_of(std::span<const Row> common, std::span<const Row> Kind::*own) {
+std::vector<Row> table_of(const std::vector<Row>& common, std::span<const Row> Kind::*own) {
   std::vector<Row> table;
   for (const Kind* kind : kinds()) add(table, kind->*own, kind->kind, true);
   table.insert(table.end(), common.begin(), common.end());
@@ -153,11 +134,13 @@ std::vector<Row> table_of(std::span<const Row> common, std::span<const Row> Kind
 }
 
 const std::vector<Quantity>& quantity_table() {
-  static const auto table = table_of<Quantity>(common_quantities, &Kind::quantities);
+  static const auto table = table_of<Quantity>(
+      common_rows<Quantity>(common_quantities, material_rows(), quantity_of), &Kind::quantities);
   return table;
 }
 const std::vector<Choice>& choice_table() {
-  static const auto table = table_of<Choice>(common_choices, &Kind::choices);
+  static const auto table =
+      table_of<Choice>(common_rows<Choice>(common_choices, material_choices(), choice_of), &Kind::choices);
   return table;
 }
 
@@ -171,6 +154,29 @@ const std::vector<std::string_view>& kind_names() {
 }
 
 }  // namespace
+
+template <>
+double Access<double, MaterialRow>::operator()(const Scene& s) const {
+  return row_ ? s.material.*row_->value : of_(s);
+}
+template <>
+void Change<double, MaterialRow>::operator()(Scene& s, double v) const {
+  if (row_)
+    s.material.*row_->value = v;
+  else
+    to_(s, v);
+}
+template <>
+std::size_t Access<std::size_t, MaterialChoice>::operator()(const Scene& s) const {
+  return row_ ? row_->get(s.material) : of_(s);
+}
+template <>
+void Change<std::size_t, MaterialChoice>::operator()(Scene& s, std::size_t v) const {
+  if (row_)
+    row_->set(s.material, v);
+  else
+    to_(s, v);
+}
 
 std::span<const Quantity> quantities() { return quantity_table(); }
 std::span<const Choice> choices() { return choice_table(); }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "libmpm/scene/build.hpp"
+#include "libmpm/scene/effect.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "libmpm/scene/report.hpp"
@@ -16,12 +17,15 @@ void check_ranges(const Scene& s, Report& report, const Wanted& wanted) {
     if (!wanted(q) || !q.alternative.empty()) continue;
     const double v = q.get(s);
     const bool may_be_infinite = q.range == Range::non_negative_or_infinite;
+    const Condition* use = condition_of(q.name);
+    // what nothing reads may be left at 0
+    const bool may_be_zero = q.range == Range::non_negative || may_be_infinite || (use && !use->holds(s));
     if (!std::isfinite(v) && !(may_be_infinite && v > 0))
       report.add(q.name, "a finite number");
+    else if (may_be_zero)
+      report.require(v >= 0, q.name, "0 or more");
     else if (q.range == Range::positive)
       report.require(v > 0, q.name, "more than 0");
-    else if (q.range == Range::non_negative || may_be_infinite)
-      report.require(v >= 0, q.name, "0 or more");
   }
 }
 
@@ -60,8 +64,8 @@ void check_choices(const Scene& s, Report& report) {
     report.add_choice("precision", "double when kernel is \"reference\"");
 }
 
-/// More particles than a machine holds most likely come from a wrong unit. In floating point, before any count
-/// of cells becomes an integer.
+/// More particles than a machine holds most likely come from a wrong unit. In floating point, before any
+/// count of cells becomes an integer.
 void check_size(const Scene& s, Report& report) {
   constexpr double most_particles = 1e9;
   const auto [width, height] = kind_of(s).extent(s);
@@ -77,7 +81,7 @@ void check_size(const Scene& s, Report& report) {
 
 void check_length(const Scene& s, Report& report) {
   constexpr double most_steps = 1e9, most_samples = 1e6;
-  const double steps = s.end_time * s.material.bulk_sound_speed / (s.numerics.cfl * s.numerics.cell_size);
+  const double steps = s.end_time * sound_speed_at_rest(s.material) / (s.numerics.cfl * s.numerics.cell_size);
   report.require(steps <= most_steps, "end_time",
                  "short enough for at most 1e9 steps (these would be " + text_of(steps) + " or more)");
   report.require(s.measures.area_every * most_samples >= s.end_time, "area_every",
@@ -120,11 +124,12 @@ void check_body(const Scene& s, const State& body, Report& report) {
     if (!fine) report.add_other("body", std::move(value), std::move(allowed));
   };
   require(n > 0, "nothing", "a body of at least one particle");
+  require(!body.ceiling || s.numerics.kernel == Kernel::reference, "a mirror above it",
+          "one without, or kernel = \"reference\": the fast step has no mirror there");
   for (const std::size_t size :
        {ps.velocity.size(), ps.mass.size(), ps.initial_volume.size(), ps.dilation.size(), ps.energy.size(),
-        ps.pressure.size(), ps.viscous_pressure.size(), ps.deviator.size(), ps.plastic_strain.size(),
-        ps.plastic_work.size(), ps.half_size.size(), body.velocity_gradient.size(),
-        s.material.hardens_kinematically() ? ps.back_stress.size() : n})
+        ps.pressure.size(), ps.viscous_pressure.size(), ps.deviator.size(), ps.half_size.size(),
+        body.velocity_gradient.size()})
     if (size != n)
       return report.add_other("body", text_of(static_cast<double>(size)) + " values in a column",
                               "one value for each of its " + text_of(static_cast<double>(n)) + " particles");
@@ -174,8 +179,7 @@ Estimate estimate(const Scene& s) {
   const double per_cell =
       static_cast<double>(s.numerics.particles_per_cell) / (lattice.cell.x() * lattice.cell.y());
   const Material& m = s.material;
-  const double sound =
-      std::sqrt(m.bulk_sound_speed * m.bulk_sound_speed + 4 * m.shear_modulus() / (3 * m.reference_density));
+  const double sound = sound_speed_at_rest(m);
   // Behind the shock sound is faster by about 2 lambda u, and the body moves. Some material is always being
   // compressed, so that the viscous signal Q + sqrt(Q^2 + c^2), Q = q1 c, decides the step.
   const double q = s.numerics.linear_viscosity;

@@ -23,6 +23,10 @@ struct PlaneStrain {
   /// Whether motion across the axis strains the material along the hoop, and the stress there drives it.
   static constexpr bool has_hoop = false;
   template <class N>
+  using Displacement = Gradient<N>;
+  template <class N>
+  using Symmetric = mpm::Symmetric<N>;
+  template <class N>
   using Increment = PlaneIncrement<N>;
   template <class N>
   using Deviator = mpm::Deviator<N>;
@@ -40,6 +44,10 @@ struct Axisymmetric {
   static constexpr int axes = 2;
   static constexpr bool has_hoop = true;
   template <class N>
+  using Displacement = AxialGradient<N>;
+  template <class N>
+  using Symmetric = mpm::Symmetric<N>;
+  template <class N>
   using Increment = AxialIncrement<N>;
   template <class N>
   using Deviator = mpm::Deviator<N>;
@@ -50,6 +58,10 @@ struct Axisymmetric {
 struct ThreeD {
   static constexpr int axes = 3;
   static constexpr bool has_hoop = false;
+  template <class N>
+  using Displacement = FullGradient<N>;
+  template <class N>
+  using Symmetric = mpm::FullSymmetric<N>;
   template <class N>
   using Increment = FullIncrement<N>;
   template <class N>

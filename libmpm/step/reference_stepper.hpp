@@ -5,18 +5,21 @@
 namespace mpm {
 
 /// The plain step, on the State itself.
-template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
+template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain,
+          class Force = NoBodyForce>
 class ReferenceStepper : public BasicStepper<Space::axes> {
  public:
-  explicit ReferenceStepper(const MaterialModel& model, const Transfer& transfer = {})
-      : model_(model), transfer_(transfer) {}
+  explicit ReferenceStepper(const MaterialModel& model, const Transfer& transfer = {},
+                            const Force& force = {})
+      : model_(model), transfer_(transfer), force_(force) {}
   BasicStepReport<Space::axes> step(BasicState<Space::axes>& state, double dt) override {
-    return reference_step<Shape, Transfer, Space>(state, model_, dt, transfer_);
+    return reference_step<Shape, Transfer, Space>(state, model_, dt, transfer_, force_);
   }
 
  private:
   MaterialModel model_;
   Transfer transfer_;
+  Force force_;
 };
 
 }  // namespace mpm

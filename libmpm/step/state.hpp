@@ -1,11 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "libmpm/boundary/mirror.hpp"
 #include "libmpm/core/grid.hpp"
 #include "libmpm/core/particles.hpp"
-#include "libmpm/material/solid.hpp"
+#include "libmpm/material/model.hpp"
 #include "libmpm/space/space.hpp"
 
 namespace mpm {
@@ -39,6 +40,8 @@ struct BasicState {
   Space space = Space::plane_strain;
   std::vector<double>
       hoop_rate{};  ///< v_r / r of each particle, over the last step [1/s]; empty without hoop
+  /// Row of nodes along which there is a mirror above the body, for the plain step.
+  std::optional<int> ceiling{};
 };
 using State = BasicState<2>;
 

@@ -3,7 +3,7 @@
 /// that every faster step is held against.
 ///
 /// Stages, in order (explicit, symplectic; stress last):
-///   1. p2g       mass, momentum and internal forces go to the grid
+///   1. p2g       mass, momentum and internal forces go to the grid, and body forces where there are any
 ///   2. mirrors   what lies behind a side wall is the image of what lies before it
 ///   3. grid      a = f/m, v <- v + dt a; the impact wall pushes
 ///   4. g2p       particles accelerate (flip.hpp, flip_pic.hpp, apic.hpp), move, receive their work and the
@@ -25,6 +25,7 @@
 
 #include "libmpm/boundary/impact_wall.hpp"
 #include "libmpm/boundary/mirror.hpp"
+#include "libmpm/step/body_force.hpp"
 #include "libmpm/step/g2p.hpp"
 #include "libmpm/step/grid_update.hpp"
 #include "libmpm/step/p2g.hpp"
@@ -32,9 +33,11 @@
 
 namespace mpm {
 
-template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
+template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain,
+          class Force = NoBodyForce>
 BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, const MaterialModel& model,
-                                            double dt, const Transfer& transfer = {}) {
+                                            double dt, const Transfer& transfer = {},
+                                            const Force& force = {}) {
   static_assert(ShapeIn<Shape, Space>);
   BasicStepReport<Space::axes> report;
   auto& grid = state.grid;
@@ -51,14 +54,17 @@ BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, cons
   if constexpr (requires { Shape::start(state.particles); }) Shape::start(state.particles);
   Transfer::start(state.particles);
   if constexpr (Space::has_hoop) state.hoop_rate.resize(state.particles.size());
-  const int top = static_cast<int>((highest - grid.origin().y()) * grid.inverse_cell().y()) + Shape::reach;
+  const int highest_row = static_cast<int>((highest - grid.origin().y()) * grid.inverse_cell().y());
+  const int top = std::max(highest_row, state.ceiling.value_or(0)) + Shape::reach;
   grid.grow_to_row(top);
   grid.clear();
 
   p2g<Shape, Transfer, Space>(state.particles, grid);
+  add_body_force<Shape, Space>(state, force);
   for (auto& n : grid.nodes()) n.own_mass = n.mass;
   reflect_sides(grid, top);
   if (state.floor == Floor::mirror) reflect_floor(grid);
+  if (state.ceiling) reflect_row(grid, *state.ceiling, Shape::reach);
   update_grid(grid, dt);
   if (state.floor == Floor::impact_wall) apply_impact_wall(grid, dt);
   report.wall_impulse = wall_impulse(grid, dt);

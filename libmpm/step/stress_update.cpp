@@ -5,10 +5,15 @@
 #include <limits>
 
 #include "libmpm/material/list.hpp"
-#include "libmpm/material/own_columns.hpp"
 
 namespace mpm {
 namespace {
+
+/// The numbers that a deviator is kept in.
+Deviator<double> numbers_of(const PlaneTensor& t) { return {t.xx, t.yy, t.xy}; }
+FullDeviator<double> numbers_of(const FullTensor& t) { return {t.xx, t.yy, t.xy, t.xz, t.yz}; }
+PlaneTensor tensor_of(const Deviator<double>& s) { return {s.xx, s.yy, -(s.xx + s.yy), s.xy}; }
+FullTensor tensor_of(const FullDeviator<double>& s) { return {s.xx, s.yy, -(s.xx + s.yy), s.xy, s.xz, s.yz}; }
 
 Gradient<double> gradient_of(const Mat2& l) { return {l(0, 0), l(0, 1), l(1, 0), l(1, 1)}; }
 FullGradient<double> gradient_of(const Mat3& l) {
@@ -20,7 +25,8 @@ void update(BasicState<Space::axes>& state, const Model& model, double dt,
             BasicStepReport<Space::axes>& report) {
   BasicParticles<Space::axes>& ps = state.particles;
   using Deviator = typename Space::template Deviator<double>;
-  static_assert(MaterialModelOver<Model, double, Space> && Model::own_columns <= most_own_columns);
+  static_assert(MaterialModelOver<Model, double, Space>);
+  ps.keep(Model::state);
   const Validity<double> valid = model.validity();
   double lowest = 0, highest = 0, fastest = 0, overpressed = 0, overstrained = 0, kinetic = 0;
   bool finite = true;  // std::max would lose a NaN
@@ -33,14 +39,14 @@ void update(BasicState<Space::axes>& state, const Model& model, double dt,
         return strain_over<double, Space>(ps.dilation[p], gradient_of(l), model);
     }();
     Deviator s = numbers_of(ps.deviator[p]);
-    double own[most_own_columns] = {};
-    read_own(ps, p, Model::own_columns, own);
+    double own[most_own_numbers<double, Space::axes>];
+    ps.read_own(p, own);
     const Point<double, Deviator> point{ps.dilation[p], ps.energy[p],           s,
                                         ps.pressure[p], ps.viscous_pressure[p], own};
     model.shear(point, strain);
     const Signal<double> speeds = model.bulk(point, strain, 1 / dt);
     ps.deviator[p] = tensor_of(s);
-    write_own(ps, p, Model::own_columns, own);
+    ps.write_own(p, own);
 
     const double speed = ps.velocity[p].cwiseAbs().maxCoeff(), viscous = speeds.viscous;
     const double signal = speed + viscous + std::sqrt(viscous * viscous + speeds.longitudinal_square);

@@ -43,9 +43,9 @@ template <class Visit>
 void each_member(mpm::Scene& s, const Visit& visit) {
   VISIT(s, kind, material, impact_speed, block_width, block_height, cavity_radius, cavity_center_height,
         inner_radius, outer_radius, inner_speed, end_time, space, numerics, measures)
-  VISIT(s.material, name, reference_density, youngs_modulus, poissons_ratio, yield_stress, hardening_modulus,
-        hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope, gruneisen_gamma,
-        specific_heat, initial_temperature, pressure_limit, tension, spall_strength)
+  VISIT(s.material, name, law, reference_density, youngs_modulus, poissons_ratio, yield_stress,
+        hardening_modulus, hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope,
+        gruneisen_gamma, specific_heat, initial_temperature, pressure_limit, tension, spall_strength)
   VISIT(s.numerics, cell_size, particles_per_cell, scheme, transfer, symmetry, kernel, precision,
         pic_fraction, cfl, linear_viscosity, quadratic_viscosity)
   VISIT(s.measures, area_every, detached_for, decides, stop, snapshots)

@@ -3,6 +3,7 @@
 
 #include "libmpm/material/material.hpp"
 #include "libmpm/material/model.hpp"
+#include "libmpm/material/row.hpp"
 
 namespace mpm {
 
@@ -128,5 +129,35 @@ struct BasicMieGrueneisen {
   }
 };
 using MieGrueneisen = BasicMieGrueneisen<double>;
+
+inline constexpr MaterialRow mie_grueneisen_rows[] = {
+    {"bulk_sound_speed", "m/s", "bulk_sound_speed_m_s", "c0 of Us = c0 + lambda Up", Range::positive,
+     &Material::bulk_sound_speed, law_is_solid},
+    {"hugoniot_slope", "1", "hugoniot_slope", "lambda of Us = c0 + lambda Up", Range::non_negative,
+     &Material::hugoniot_slope, law_is_solid},
+    {"gruneisen_gamma", "1", "gruneisen_gamma", "Grueneisen coefficient at rest", Range::non_negative,
+     &Material::gruneisen_gamma, law_is_solid},
+    {"pressure_limit", "Pa", "pressure_limit_Pa", "pressure up to which the equation of state is valid",
+     Range::positive, &Material::pressure_limit},
+};
+
+/// Of expanded material.
+inline constexpr MaterialRow tension_rows[] = {
+    {"spall_strength",
+     "Pa",
+     "spall_strength_Pa",
+     "tension at which pressure is cut off (tension = \"cutoff\")",
+     Range::non_negative,
+     &Material::spall_strength,
+     {"tension = \"cutoff\"",
+      [](const Material& m) { return m.law == MaterialLaw::solid && m.tension == Tension::cutoff; }}},
+};
+inline constexpr auto tension_words = words<Tension>(
+    {{Tension::polynomial, "polynomial"}, {Tension::linear, "linear"}, {Tension::cutoff, "cutoff"}});
+inline constexpr MaterialChoice tension_choices[] = {
+    {"tension", "pressure of expanded material", tension_words,
+     [](const Material& m) { return static_cast<std::size_t>(m.tension); },
+     [](Material& m, std::size_t i) { m.tension = static_cast<Tension>(i); }, law_is_solid},
+};
 
 }  // namespace mpm

@@ -5,6 +5,7 @@
 namespace mpm {
 
 double Temperature::operator()(double dilation, double energy) const {
+  if (!changes) return initial_temperature;
   // The isentrope is smooth in eta: 16 Runge-Kutta steps leave less than 1e-8 of e_s up to half the volume.
   constexpr int steps = 16;
   const double d = -dilation / steps;  // step in eta

@@ -7,13 +7,27 @@ namespace mpm {
 ///   T = T_s(V) + (e - e_s(V)) / c_v,   T_s = T0 exp(gamma0 eta),   de_s/d(eta) = P(eta, e_s) / rho0
 /// where the index s is the isentrope through the state at rest and eta = 1 - rho0/rho = -(J - 1). [K]
 /// Source: the Grueneisen relation at constant gamma rho; Zel'dovich & Raizer 1967, ch. XI.
+/// A material whose law has no heat stays at T0.
 /// Checked against the Hugoniot temperatures by tests/libmpm/material_test.cpp.
 struct Temperature {
   MieGrueneisen eos;
   double specific_heat;        ///< c_v [J/kg/K]
   double initial_temperature;  ///< T0 [K]
+  bool changes;                ///< whether the law has heat
 
+  explicit Temperature(const Material& m)
+      : eos(m),
+        specific_heat(m.specific_heat),
+        initial_temperature(m.initial_temperature),
+        changes(m.law == MaterialLaw::solid) {}
   double operator()(double dilation, double energy) const;
+};
+
+inline constexpr MaterialRow temperature_rows[] = {
+    {"specific_heat", "J/kg/K", "specific_heat_J_kg_K", "specific heat at constant volume", Range::positive,
+     &Material::specific_heat, law_is_solid},
+    {"initial_temperature", "K", "initial_temperature_K", "temperature at rest", Range::non_negative,
+     &Material::initial_temperature},
 };
 
 }  // namespace mpm

@@ -1,8 +1,11 @@
 #pragma once
+#include <array>
 #include <cmath>
 
+#include "libmpm/core/state_column.hpp"
 #include "libmpm/material/material.hpp"
 #include "libmpm/material/model.hpp"
+#include "libmpm/material/row.hpp"
 
 namespace mpm {
 
@@ -20,15 +23,13 @@ struct BasicJ2 {
   Real isotropic_modulus;  ///< (1 - beta) H [Pa]
   Real kinematic_modulus;  ///< beta H [Pa]
   Real inverse_return;     ///< 1 / (3 G + H) [1/Pa]
-  bool kinematic;          ///< beta > 0: there is a back stress
 
   explicit BasicJ2(const Material& m)
       : shear_modulus(m.shear_modulus()),
         yield_stress(m.yield_stress),
         isotropic_modulus((1 - m.kinematic_fraction) * m.hardening_per_equivalent_strain()),
         kinematic_modulus(m.kinematic_fraction * m.hardening_per_equivalent_strain()),
-        inverse_return(1 / (3 * shear_modulus + isotropic_modulus + kinematic_modulus)),
-        kinematic(m.hardens_kinematically()) {}
+        inverse_return(1 / (3 * shear_modulus + isotropic_modulus + kinematic_modulus)) {}
   /// The same constants, rounded.
   template <class Other>
   explicit BasicJ2(const BasicJ2<Other>& o)
@@ -36,24 +37,22 @@ struct BasicJ2 {
         yield_stress(static_cast<Real>(o.yield_stress)),
         isotropic_modulus(static_cast<Real>(o.isotropic_modulus)),
         kinematic_modulus(static_cast<Real>(o.kinematic_modulus)),
-        inverse_return(static_cast<Real>(o.inverse_return)),
-        kinematic(o.kinematic) {}
-
-  /// q of a deviator [Pa].
-  template <class Tensor>
-  static double von_mises(const Tensor& deviator) {
-    return std::sqrt(1.5 * contract(deviator, deviator));
-  }
+        inverse_return(static_cast<Real>(o.inverse_return)) {}
 };
 using J2 = BasicJ2<double>;
 
-/// The columns of its own that a strength has, in this order.
-enum OwnColumn : int { own_plastic_strain, own_plastic_work, own_back_stress };
+/// What plastic materials keep: the equivalent plastic strain, the plastic work per mass, the back stress.
+inline constexpr StateColumn plastic_strain_column{"plastic_strain", "1"};
+inline constexpr StateColumn plastic_work_column{"plastic_work", "J/kg"};
+inline constexpr StateColumn back_stress_column{"back_stress", "Pa", StateForm::deviator};
+
+/// Places of their numbers.
+enum OwnNumber : int { own_plastic_strain, own_plastic_work, own_back_stress };
 
 /// No yield.
 struct Elastic {
-  static constexpr int own_columns = 0;
-  static bool fits(const J2& j2) { return std::isinf(j2.yield_stress); }
+  static constexpr std::array<StateColumn, 0> state{};
+  static bool fits(const Material& m) { return std::isinf(m.yield_stress); }
 
   template <class Real, class N, class Tensor, class Space>
   static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N*, const Strain<N, Space>& e, N) {
@@ -61,10 +60,10 @@ struct Elastic {
   }
 };
 
-/// Isotropic hardening. Own columns: equivalent plastic strain [1], plastic work [J/kg].
+/// Isotropic hardening.
 struct IsotropicHardening {
-  static constexpr int own_columns = 2;
-  static bool fits(const J2& j2) { return !Elastic::fits(j2) && !j2.kinematic; }
+  static constexpr std::array state{plastic_strain_column, plastic_work_column};
+  static bool fits(const Material& m) { return !Elastic::fits(m) && !m.hardens_kinematically(); }
 
   template <class Real, class N, class Tensor, class Space>
   static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N* own, const Strain<N, Space>& e,
@@ -84,11 +83,10 @@ struct IsotropicHardening {
   }
 };
 
-/// ... and kinematic hardening. Own columns: those, and the back stress xx, yy, xy [Pa]; of three axes xz, yz
-/// too, which own_columns does not count.
+/// ... and kinematic hardening.
 struct KinematicHardening {
-  static constexpr int own_columns = 5;
-  static bool fits(const J2& j2) { return !Elastic::fits(j2) && j2.kinematic; }
+  static constexpr std::array state{plastic_strain_column, plastic_work_column, back_stress_column};
+  static bool fits(const Material& m) { return m.hardens_kinematically(); }
 
   template <class Real, class N, class Tensor, class Space>
   static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N* own, const Strain<N, Space>& e,
@@ -112,6 +110,36 @@ struct KinematicHardening {
     own[own_plastic_strain] += dp;
     own[own_plastic_work] += work * specific_volume;
   }
+};
+
+inline constexpr MaterialUse where_plastic{
+    "a finite yield_stress",
+    [](const Material& m) { return m.law == MaterialLaw::solid && std::isfinite(m.yield_stress); }};
+inline constexpr MaterialUse where_hardening{
+    "hardening_modulus above 0 and a finite yield_stress",
+    [](const Material& m) { return where_plastic.holds(m) && m.hardening_modulus > 0; }};
+
+inline constexpr MaterialRow j2_rows[] = {
+    {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress; infinite: elastic",
+     Range::non_negative_or_infinite, &Material::yield_stress, law_is_solid, "Y", Section::parameters},
+    {"youngs_modulus", "Pa", "youngs_modulus_Pa", "Young's modulus of the deviator", Range::positive,
+     &Material::youngs_modulus},
+    {"poissons_ratio", "1", "poissons_ratio", "Poisson's ratio of the deviator", Range::non_negative,
+     &Material::poissons_ratio},
+    {"hardening_modulus", "Pa", "hardening_modulus_Pa",
+     "hardening modulus, in the measure of hardening_measure", Range::non_negative,
+     &Material::hardening_modulus, where_plastic, "E"},
+    {"kinematic_fraction", "1", "kinematic_fraction", "share of the hardening that is kinematic",
+     Range::non_negative, &Material::kinematic_fraction, where_hardening},
+};
+inline constexpr auto hardening_words = words<HardeningMeasure>({{HardeningMeasure::norm, "norm"},
+                                                                 {HardeningMeasure::equivalent, "equivalent"},
+                                                                 {HardeningMeasure::tangent, "tangent"}});
+inline constexpr MaterialChoice j2_choices[] = {
+    {"hardening_measure", "measure of strain of hardening_modulus", hardening_words,
+     [](const Material& m) { return static_cast<std::size_t>(m.hardening_measure); },
+     [](Material& m, std::size_t i) { m.hardening_measure = static_cast<HardeningMeasure>(i); },
+     where_hardening},
 };
 
 }  // namespace mpm

@@ -39,7 +39,7 @@ double fastest(const Scene& s) { return s.impact_speed; }
 double shock_pressure(const Scene& s) {
   const Material& m = s.material;
   const double u = s.impact_speed;
-  return m.reference_density * (m.bulk_sound_speed + m.hugoniot_slope * u) * u;
+  return m.reference_density * shock_speed(m, u) * u;
 }
 
 }  // namespace mpm::with_block

@@ -42,10 +42,8 @@ double area(const Scene& s, const Lattice& l) { return with_block::area(s, l) * 
 /// Once the shock has run to the free rear of each body and the release has come back.
 double parting_time(const Scene& s) {
   const Material& m = s.material;
-  const double u = s.impact_speed, shock = m.bulk_sound_speed + m.hugoniot_slope * u;
-  const double shear = 4 * m.shear_modulus() / (3 * m.reference_density);
-  const double release =
-      std::sqrt(m.bulk_sound_speed * m.bulk_sound_speed + shear) + 2 * m.hugoniot_slope * u;
+  const double u = s.impact_speed, shock = shock_speed(m, u);
+  const double release = sound_speed_at_rest(m) + 2 * m.hugoniot_slope * u;
   return s.block_height / shock + s.block_height * std::max(0.0, 1 - u / shock) / release;
 }
 

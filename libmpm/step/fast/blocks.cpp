@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "libmpm/material/own_columns.hpp"
+#include "libmpm/material/list.hpp"
 
 namespace mpm::fast {
 
@@ -36,8 +36,8 @@ Blocks<Real>::Blocks(const Particles& ps, const Grid& grid, const Layout& layout
     set(deviator_xy, ps.deviator[s].xy);
     for (int axis = 0; axis < layout.half_sizes(); ++axis)
       set(layout.half_size() + axis, ps.half_size[s][axis] * inverse[axis]);
-    double own[most_own_columns] = {};
-    read_own(ps, s, layout.own_columns, own);
+    double own[most_own_numbers<Real, 2>];
+    ps.read_own(s, own);
     for (int c = 0; c < layout.own_columns; ++c) set(layout.own() + c, own[c]);
   }
 }
@@ -57,9 +57,9 @@ void Blocks<Real>::write(std::size_t s, const Grid& grid, Particles& ps, std::si
   ps.deviator[p] = {xx, yy, -(xx + yy), get(deviator_xy)};
   for (int axis = 0; axis < layout_.half_sizes(); ++axis)
     ps.half_size[p][axis] = get(layout_.half_size() + axis) * grid.cell()[axis];
-  double own[most_own_columns] = {};
+  double own[most_own_numbers<Real, 2>];
   for (int c = 0; c < layout_.own_columns; ++c) own[c] = get(layout_.own() + c);
-  write_own(ps, p, layout_.own_columns, own);
+  ps.write_own(p, own);
 }
 
 template <class Real>

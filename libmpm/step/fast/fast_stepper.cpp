@@ -31,14 +31,14 @@ constexpr int band_reach = 2;
 
 template <class Real>
 Constants<Real> constants_of(const MaterialModel& m, const Grid& grid) {
-  const MieGrueneisen& eos = m.eos;
+  const double inverse_rho0 = 1 / m.material.reference_density;
   const auto real = [](double v) { return static_cast<Real>(v); };
   Constants<Real> k{};
-  k.inverse_rho0 = real(eos.inverse_rho0);
+  k.inverse_rho0 = real(inverse_rho0);
   k.inverse_cell_x = real(grid.inverse_cell().x());
   k.inverse_cell_y = real(grid.inverse_cell().y());
-  k.force_x = real(eos.inverse_rho0 * grid.inverse_cell().x());
-  k.force_y = real(eos.inverse_rho0 * grid.inverse_cell().y());
+  k.force_x = real(inverse_rho0 * grid.inverse_cell().x());
+  k.force_y = real(inverse_rho0 * grid.inverse_cell().y());
   return k;
 }
 
@@ -51,7 +51,8 @@ FastStepper<Real>::FastStepper(const MaterialModel& material, Shape shape, Space
     static_assert(std::is_trivially_copyable_v<std::decay_t<decltype(model)>> &&
                   sizeof model <= sizeof model_);
     std::memcpy(model_.data(), &model, sizeof model);
-    layout_.own_columns = model.own_columns;
+    own_ = model.state;
+    layout_.own_columns = numbers_in(own_, 2);
     kernels_ = kernels_for<Real>(layout_.gimp, space, place, set);
   });
 }
@@ -61,8 +62,10 @@ template <class Real>
 void FastStepper<Real>::begin(State& state) {
   const Grid& grid = state.grid;
   constants_ = constants_of<Real>(material_, grid);
+  state.particles.keep(own_);
   grid_.emplace(grid.columns());
-  blocks_.emplace(state.particles, grid, layout_, material_.eos.rho0, grid_->nodes().stride);
+  blocks_.emplace(state.particles, grid, layout_, material_.material.reference_density,
+                  grid_->nodes().stride);
   state.velocity_gradient = {};
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const Vec2& x : state.particles.position) {
@@ -92,8 +95,8 @@ Band<Real> FastStepper<Real>::band(const typename Blocks<Real>::Range& range) {
           std::min(range.last_row + band_reach, grid_->nodes().rows - 3)};
 }
 
-/// Bands of the same parity touch different nodes, so that any thread may take any of them; the odd ones follow
-/// the even ones.
+/// Bands of the same parity touch different nodes, so that any thread may take any of them; the odd ones
+/// follow the even ones.
 template <class Real>
 SweepReport FastStepper<Real>::sweep(double dt) {
   const auto bands = blocks_->bands();
@@ -175,7 +178,7 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
   use(sums.lowest_node, sums.highest_node);
 
   const Grid& grid = state.grid;
-  const double unit = unit_mass(material_.eos.rho0, grid, layout_.space);
+  const double unit = unit_mass(material_.material.reference_density, grid, layout_.space);
   StepReport report;
   report.largest_signal = sums.broken ? std::numeric_limits<double>::quiet_NaN() : sums.largest_signal;
   report.smallest_dilation = sums.smallest_dilation;
@@ -210,7 +213,7 @@ void FastStepper<Real>::refresh_particles(State& state, std::span<const std::siz
 template <class Real>
 void FastStepper<Real>::refresh_nodes(State& state, int first_row, int last_row) {
   if (!grid_) return;
-  const double unit = unit_mass(material_.eos.rho0, state.grid, layout_.space);
+  const double unit = unit_mass(material_.material.reference_density, state.grid, layout_.space);
   grid_->copy_rows(state.grid, unit, first_row, last_row, moved_first_, moved_last_);
 }
 

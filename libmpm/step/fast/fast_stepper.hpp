@@ -46,6 +46,7 @@ class FastStepper : public Stepper {
   void use(double lowest_node, double highest_node);
 
   MaterialModel material_;
+  std::span<const StateColumn> own_;  ///< of the model
   Layout layout_;
   Kernels<Real> kernels_;
   alignas(16) std::array<std::byte, 256> model_;  ///< the model of material/list.hpp, for the kernels

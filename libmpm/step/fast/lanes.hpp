@@ -146,6 +146,10 @@ struct Number<fast::MPM_ISA::PackD> {
   using Scalar = double;
   using N = fast::MPM_ISA::PackD;
   static MPM_INLINE N square_root(N a) { return fast::MPM_ISA::square_root(a); }
+  static MPM_INLINE N logarithm_of_one_plus(N a) {
+    for (int k = 0; k < 4; ++k) a[k] = __builtin_log1p(a[k]);
+    return a;
+  }
   static MPM_INLINE N larger(N a, N b) { return fast::MPM_ISA::larger(a, b); }
   static MPM_INLINE N smaller(N a, N b) { return fast::MPM_ISA::smaller(a, b); }
   static MPM_INLINE N all(double a) { return fast::MPM_ISA::all(a); }
@@ -155,6 +159,10 @@ struct Number<fast::MPM_ISA::PackF> {
   using Scalar = float;
   using N = fast::MPM_ISA::PackF;
   static MPM_INLINE N square_root(N a) { return fast::MPM_ISA::square_root(a); }
+  static MPM_INLINE N logarithm_of_one_plus(N a) {
+    for (int k = 0; k < 8; ++k) a[k] = __builtin_log1pf(a[k]);
+    return a;
+  }
   static MPM_INLINE N larger(N a, N b) { return fast::MPM_ISA::larger(a, b); }
   static MPM_INLINE N smaller(N a, N b) { return fast::MPM_ISA::smaller(a, b); }
   static MPM_INLINE N all(float a) { return fast::MPM_ISA::all(a); }

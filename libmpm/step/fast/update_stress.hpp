@@ -47,7 +47,7 @@ struct UpdateStress {
       P* f = first;
       for (int b = 0; b < count; ++b, f += columns) work(f, b);
     };
-    Strain<P, Space> strain[chunk_blocks];
+    StrainFor<P, Space, Model> strain[chunk_blocks];
     each_block([&](P * f, int b) __attribute__((always_inline)) {
       const auto* const l = reinterpret_cast<const P*>(gradients.of_block[b]);
       const auto* const hoop = reinterpret_cast<const P*>(gradients.hoop[b]);

@@ -13,10 +13,9 @@ double NeoHookean::youngs_modulus() const { return mu * (3 * lambda + 2 * mu) / 
 
 double NeoHookean::longitudinal_speed() const { return std::sqrt((lambda + 2 * mu) / density); }
 
-double NeoHookean::strain_energy(double xx, double xy, double yx, double yy) const {
-  const double log_jacobian = std::log(xx * yy - xy * yx);
-  return lambda * log_jacobian * log_jacobian / 2 - mu * log_jacobian +
-         mu * (xx * xx + xy * xy + yx * yx + yy * yy - 2) / 2;
+double NeoHookean::strain_energy(double jacobian, double trace) const {
+  const double log_jacobian = std::log(jacobian);
+  return lambda * log_jacobian * log_jacobian / 2 - mu * log_jacobian + mu * trace / 2;
 }
 
 }  // namespace mpm::verification::exact

@@ -16,8 +16,12 @@ struct NeoHookean {
 
   double youngs_modulus() const;      ///< E of small strains [Pa]
   double longitudinal_speed() const;  ///< sqrt((lambda + 2 mu)/rho0) [m/s]
-  /// W [J/m^3], of F = (xx xy; yx yy), J > 0.
-  double strain_energy(double xx, double xy, double yx, double yy) const;
+  /// W [J/m^3], of J > 0 and tr(F F^T - 1).
+  double strain_energy(double jacobian, double trace) const;
+  /// ... of F = (xx xy; yx yy).
+  double strain_energy(double xx, double xy, double yx, double yy) const {
+    return strain_energy(xx * yy - xy * yx, xx * xx + xy * xy + yx * yx + yy * yy - 2);
+  }
 };
 
 }  // namespace mpm::verification::exact

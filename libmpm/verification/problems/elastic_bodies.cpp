@@ -46,7 +46,7 @@ BarMotion vibrate(mpm::ShapeFunction shape, int cells, int side) {
     }
   const int steps = static_cast<int>(std::ceil(end * solid.longitudinal_speed() / (0.3 * cell)));
   return with_shape(shape, [&]<class Shape>() {
-    bar.begin<Shape>({rows, true});
+    bar.begin<Shape>({.ceiling = rows});
     const double mass = bar.mass();
     double square = 0;
     Turns turns;
@@ -78,7 +78,7 @@ Collision collide(mpm::ShapeFunction shape, int cells, int side) {
     }
   const double dt = 0.3 * cell / solid.longitudinal_speed();
   return with_shape(shape, [&]<class Shape>() {
-    disks.begin<Shape>({cells / 4 * 5 + 2});
+    disks.begin<Shape>({});
     const double before = disks.kinetic_energy(), mass = disks.mass();
     Collision c{0, 0, 0, 1, 0};
     while (disks.time() < end) {

@@ -10,10 +10,9 @@
 namespace mpm::verification {
 
 MaterialPoint::MaterialPoint(const mpm::Material& m)
-    : state_{{}, mpm::Grid({0, 0}, {1, 1}, 1), {}, 0, 0, mpm::Floor::mirror},
-      model_{mpm::MieGrueneisen(m), mpm::J2(m), {0, 0, 1}} {
+    : state_{{}, mpm::Grid({0, 0}, {1, 1}, 1), {}, 0, 0, mpm::Floor::mirror}, model_{m, {0, 0, 1}} {
   state_.particles.add({0.5, 0.5}, {0, 0}, m.reference_density, 1, {0.5, 0.5});
-  if (m.kinematic_fraction > 0) state_.particles.back_stress.resize(1);
+  state_.particles.keep(mpm::state_columns(m));
   state_.velocity_gradient.push_back(mpm::Mat2::Zero());
 }
 
@@ -21,10 +20,10 @@ MaterialPoint::MaterialPoint(const mpm::Material& m, const exact::ImpactState& s
   mpm::Particles& ps = state_.particles;
   ps.dilation[0] = m.reference_density / shocked.density - 1;
   ps.energy[0] = shocked.specific_energy;
-  ps.pressure[0] = model_.eos.pressure(mpm::MieGrueneisen::Volume(ps.dilation[0]), ps.energy[0]);
+  ps.pressure[0] = mpm::MieGrueneisen(m).pressure(mpm::MieGrueneisen::Volume(ps.dilation[0]), ps.energy[0]);
   const double q = shocked.von_mises;
   ps.deviator[0] = {q / 3, -2 * q / 3, q / 3, 0};
-  ps.plastic_strain[0] = shocked.equivalent_plastic_strain;
+  ps.own_values("plastic_strain")[0] = shocked.equivalent_plastic_strain;
   strain_ = std::log(shocked.density / m.reference_density);
 }
 
@@ -51,7 +50,7 @@ void MaterialPoint::strain_to(double strain, int steps) {
 double MaterialPoint::density() const { return state_.particles.density(0); }
 double MaterialPoint::normal_stress() const { return -state_.particles.stress(0).yy; }
 double MaterialPoint::von_mises() const { return -1.5 * state_.particles.deviator[0].yy; }
-double MaterialPoint::plastic_strain() const { return state_.particles.plastic_strain[0]; }
+double MaterialPoint::plastic_strain() const { return state_.particles.own_values("plastic_strain")[0]; }
 double MaterialPoint::specific_energy() const { return state_.particles.energy[0]; }
 
 MaterialHugoniot material_hugoniot(const mpm::Material& m, double particle_speed) {
@@ -61,7 +60,7 @@ MaterialHugoniot material_hugoniot(const mpm::Material& m, double particle_speed
   // eta = 1 - rho0/rho; mass and momentum: P eta = rho0 up^2
   const auto excess = [&](double eta) { return pressure(eta) * eta - m.reference_density * up * up; };
   const double eta = exact::bisect(excess, 0, std::min(1.0, 2 / m.gruneisen_gamma));
-  const mpm::Temperature temperature{eos, m.specific_heat, m.initial_temperature};
+  const mpm::Temperature temperature(m);
   return {pressure(eta), up / eta, m.reference_density / (1 - eta), temperature(-eta, energy)};
 }
 

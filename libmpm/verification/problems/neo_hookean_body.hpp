@@ -1,7 +1,6 @@
 #pragma once
-/// Elastic bodies for exact problems whose material is not that of the scenes: the library's p2g, grid update
-/// and g2p with a neo-Hookean stress, under a body force.
-#include <algorithm>
+/// Elastic bodies for exact problems: the library's plain step with its neo-Hookean material, under a body
+/// force.
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -11,115 +10,18 @@
 #include <utility>
 #include <vector>
 
-#include "libmpm/boundary/mirror.hpp"
 #include "libmpm/mpm.hpp"
-#include "libmpm/step/g2p.hpp"
-#include "libmpm/step/grid_update.hpp"
-#include "libmpm/step/p2g.hpp"
+#include "libmpm/scene/build.hpp"
+#include "libmpm/step/reference_stepper.hpp"
 #include "libmpm/verification/exact/neo_hookean.hpp"
 
 namespace mpm::verification {
 
 /// What acts on a neo-Hookean body.
 struct Surroundings {
-  int top;                     ///< row of a mirror there, or of any row above the body
-  bool mirror_at_top = false;  ///< there is always one at the floor and at the sides
+  std::optional<int> ceiling{};  ///< row of a mirror above; there is always one at the floor and at the sides
   /// b(X, t) [N/kg] on the particle that began at X; empty: none.
   std::function<mpm::Vec2(const mpm::Vec2& initial, double t)> force{};
-};
-
-/// Its particles carry F <- (1 + dt L) F, and the stress
-///   sigma = (lambda ln J 1 + mu (F F^T - 1)) / J.
-class NeoHookeanStepper : public mpm::Stepper {
- public:
-  explicit NeoHookeanStepper(const exact::NeoHookean& solid) : solid_(solid) {}
-
-  double strain_energy(const mpm::Particles& ps) const {  ///< of the deformation, by the solid's W [J/m]
-    double sum = 0;
-    for (std::size_t p = 0; p < deformation_.size(); ++p) {
-      const mpm::Mat2& f = deformation_[p];
-      sum += ps.initial_volume[p] * solid_.strain_energy(f(0, 0), f(0, 1), f(1, 0), f(1, 1));
-    }
-    return sum;
-  }
-  void carry(mpm::State& state, mpm::Archive& a) override {
-    carry_particles(state.particles, a);
-    a.numbers("initial", initial_), a.numbers("deformation", deformation_);
-  }
-
- protected:
-  void begin(const mpm::State& state) {
-    if (!initial_.empty()) return;
-    initial_ = state.particles.position;
-    deformation_.assign(initial_.size(), mpm::Mat2::Identity());
-  }
-  const mpm::Vec2& initial(std::size_t p) const { return initial_[p]; }
-
-  void update_stress(mpm::State& state, double dt, mpm::StepReport& report) {
-    mpm::Particles& ps = state.particles;
-    for (std::size_t p = 0; p < ps.size(); ++p) {
-      mpm::Mat2& f = deformation_[p];
-      f = (mpm::Mat2::Identity() + dt * state.velocity_gradient[p]) * f;
-      const double jacobian = f(0, 0) * f(1, 1) - f(0, 1) * f(1, 0);
-      const double mean = (solid_.lambda * std::log(jacobian) - solid_.mu) / jacobian;
-      const double k = solid_.mu / jacobian;
-      ps.dilation[p] = jacobian - 1;
-      // The whole stress; the pressure stays 0.
-      ps.deviator[p] = {mean + k * f.row(0).squaredNorm(), mean + k * f.row(1).squaredNorm(), 0,
-                        k * f.row(0).dot(f.row(1))};
-      report.smallest_dilation = std::min(report.smallest_dilation, ps.dilation[p]);
-      report.largest_dilation = std::max(report.largest_dilation, ps.dilation[p]);
-      report.kinetic_energy += ps.kinetic_energy(p);
-    }
-    report.largest_signal = solid_.longitudinal_speed();
-  }
-
- private:
-  exact::NeoHookean solid_;
-  std::vector<mpm::Vec2> initial_;
-  std::vector<mpm::Mat2> deformation_;
-};
-
-template <class Shape, class Transfer = mpm::Flip>
-class NeoHookeanSteps : public NeoHookeanStepper {
- public:
-  NeoHookeanSteps(const exact::NeoHookean& solid, Surroundings around, const Transfer& transfer = {})
-      : NeoHookeanStepper(solid), around_(std::move(around)), transfer_(transfer) {}
-
-  mpm::StepReport step(mpm::State& state, double dt) override {
-    begin(state);
-    mpm::StepReport report;
-    mpm::Particles& ps = state.particles;
-    mpm::Grid& grid = state.grid;
-    if constexpr (requires { Shape::start(ps); }) Shape::start(ps);
-    Transfer::start(ps);
-    grid.grow_to_row(around_.top + 1 + Shape::reach);
-    grid.clear();
-    mpm::p2g<Shape, Transfer>(ps, grid);
-    if (around_.force) push(state);
-    for (mpm::Node& n : grid.nodes()) n.own_mass = n.mass;
-    mpm::reflect_sides(grid, around_.top + Shape::reach);
-    mpm::reflect_floor(grid);
-    if (around_.mirror_at_top) mpm::reflect_row(grid, around_.top, Shape::reach);
-    mpm::update_grid(grid, dt);
-    report.transfer_heat = mpm::g2p<Shape>(ps, grid, dt, state.velocity_gradient, transfer_);
-    update_stress(state, dt, report);
-    state.time += dt;
-    ++state.step;
-    return report;
-  }
-
- private:
-  void push(mpm::State& state) {
-    for (std::size_t p = 0; p < state.particles.size(); ++p) {
-      const mpm::Vec2 b = state.particles.mass[p] * around_.force(initial(p), state.time);
-      mpm::stencil_of<Shape>(state.grid, state.particles, p)
-          .for_each(state.grid, [&](mpm::Node& n, double w, const mpm::Vec2&) { n.acceleration += w * b; });
-    }
-  }
-
-  Surroundings around_;
-  Transfer transfer_;
 };
 
 /// Cells are squares. A body that is not between mirrors must stay two cells clear of the grid's sides.
@@ -135,12 +37,17 @@ class NeoHookeanBody {
   }
   /// To be called once, after the last particle and before the first step.
   template <class Shape, class Transfer = mpm::Flip>
-  void begin(Surroundings around, const Transfer& transfer = {}) {
-    auto stepper = std::make_unique<NeoHookeanSteps<Shape, Transfer>>(solid_, std::move(around), transfer);
-    stepper_ = stepper.get();
+  void begin(const Surroundings& around, const Transfer& transfer = {}) {
     const mpm::Scene scene = frame();
+    body_.ceiling = around.ceiling;
     simulation_.emplace(scene, std::move(body_));
-    simulation_->use(std::move(stepper));
+    if (around.force)
+      use<Shape, Transfer>(scene, transfer,
+                           [initial = initial_, force = around.force](std::size_t p, double t) {
+                             return force(initial[p], t);
+                           });
+    else
+      use<Shape, Transfer>(scene, transfer, mpm::NoBodyForce{});
   }
   void step(double dt) { simulation_->step(dt); }
 
@@ -166,7 +73,15 @@ class NeoHookeanBody {
     for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.velocity[p].squaredNorm() / 2;
     return sum;
   }
-  double strain_energy() { return stepper_->strain_energy(particles()); }  ///< [J/m]
+  double strain_energy() {  ///< of the deformation, by the solid's W [J/m]
+    const mpm::Particles& ps = particles();
+    const auto b = ps.own_values("left_cauchy_green_less_one");  // xx, yy, zz, xy
+    double sum = 0;
+    for (std::size_t p = 0; p < ps.size(); ++p)
+      sum += ps.initial_volume[p] *
+             solid_.strain_energy(1 + ps.dilation[p], b[4 * p] + b[4 * p + 1] + b[4 * p + 2]);
+    return sum;
+  }
   double internal_energy() {  ///< what the stress did, and the heat of the transfer [J/m]
     const mpm::Particles& ps = particles();
     double sum = 0;
@@ -175,19 +90,23 @@ class NeoHookeanBody {
   }
 
  private:
-  /// The settings of a run whose stepper has its own material: the solid at small strains, without heat.
+  template <class Shape, class Transfer, class Force>
+  void use(const mpm::Scene& scene, const Transfer& transfer, Force force) {
+    using Stepper = mpm::ReferenceStepper<Shape, Transfer, mpm::space::PlaneStrain, Force>;
+    simulation_->use(std::make_unique<Stepper>(mpm::build_material(scene), transfer, force));
+  }
   mpm::Scene frame() const {
     mpm::Scene scene;
     mpm::Material& m = scene.material;
-    const double bulk = solid_.lambda + 2 * solid_.mu / 3;
     m.name = "neo-Hookean";
+    m.law = mpm::MaterialLaw::neo_hookean;
     m.reference_density = solid_.density;
-    m.youngs_modulus = m.pressure_limit = solid_.youngs_modulus();
+    m.youngs_modulus = solid_.youngs_modulus();
+    m.pressure_limit = std::numeric_limits<double>::max();
     m.poissons_ratio = solid_.lambda / (2 * (solid_.lambda + solid_.mu));
-    m.yield_stress = std::numeric_limits<double>::infinity();
-    m.bulk_sound_speed = std::sqrt(bulk / solid_.density);
-    m.specific_heat = 1;
     scene.numerics = mpm::default_numerics(mpm::SceneKind::cavity_impact);
+    scene.numerics.kernel = mpm::Kernel::reference;
+    scene.numerics.linear_viscosity = scene.numerics.quadratic_viscosity = 0;
     scene.numerics.cell_size = body_.grid.cell().x();
     scene.end_time = scene.measures.area_every = 1;
     return scene;
@@ -197,7 +116,6 @@ class NeoHookeanBody {
   mpm::State body_;
   std::vector<mpm::Vec2> initial_;
   std::optional<mpm::Simulation> simulation_;
-  NeoHookeanStepper* stepper_ = nullptr;  ///< the simulation's
 };
 
 }  // namespace mpm::verification

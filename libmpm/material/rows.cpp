@@ -1,0 +1,49 @@
+// The constants of all models, in the order of the table of parameters.
+#include <array>
+
+#include "libmpm/material/eos/mie_grueneisen.hpp"
+#include "libmpm/material/eos/temperature.hpp"
+#include "libmpm/material/row.hpp"
+#include "libmpm/material/strength/j2.hpp"
+
+namespace mpm {
+namespace {
+
+constexpr auto law_words =
+    words<MaterialLaw>({{MaterialLaw::solid, "solid"}, {MaterialLaw::neo_hookean, "neo-hookean"}});
+
+constexpr MaterialRow rows_of_all[] = {
+    {"reference_density", "kg/m3", "reference_density_kg_m3", "density at rest", Range::positive,
+     &Material::reference_density},
+};
+constexpr MaterialChoice choices_of_all[] = {
+    {"law",
+     "an equation of state and a deviator of its own, or a neo-Hookean solid, elastic at any strain",
+     law_words,
+     [](const Material& m) { return static_cast<std::size_t>(m.law); },
+     [](Material& m, std::size_t i) { m.law = static_cast<MaterialLaw>(i); },
+     {},
+     "solid"},
+};
+
+template <class Row, std::size_t... sizes>
+constexpr auto joined(const Row (&... lists)[sizes]) {
+  std::array<Row, (sizes + ...)> all{};
+  auto* to = all.data();
+  const auto add = [&](const auto& list) {
+    for (const Row& row : list) *to++ = row;
+  };
+  (add(lists), ...);
+  return all;
+}
+
+/// A list more for a model with constants of its own.
+constexpr auto rows = joined(rows_of_all, j2_rows, mie_grueneisen_rows, temperature_rows, tension_rows);
+constexpr auto choices = joined(tension_choices, j2_choices, choices_of_all);
+
+}  // namespace
+
+std::span<const MaterialRow> material_rows() { return rows; }
+std::span<const MaterialChoice> material_choices() { return choices; }
+
+}  // namespace mpm
