@@ -1,10 +1,10 @@
 #include "libmpm/body/fill.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "libmpm/core/errors.hpp"
@@ -12,19 +12,46 @@
 namespace mpm {
 namespace {
 
-constexpr double smallest_fraction = 0.05;
+/// Of a share, with the same edge in squares and in cubes.
+constexpr double smallest_fraction(int axes) { return axes == 2 ? 0.05 : 0.011; }
 constexpr double rounding = 1e-9;  ///< of a share: an edge on a line of the lattice may miss it by this
 
-/// What a region leaves of a rectangle.
+/// Of thin strips of the height of a share, standing on its base.
+template <int axes>
+struct Strips;
+template <>
+struct Strips<2> {
+  static constexpr int count = 64;
+  double from, size;
+
+  Strips(const Vec2& center, const Vec2& share) : from(center.x()), size(share.x()) {}
+  double line(int k) const { return from + size * ((k + 0.5) / count - 0.5); }
+  static Vec2 point(double x, double y) { return {x, y}; }
+};
+template <>
+struct Strips<3> {
+  static constexpr int edge = 16, count = edge * edge;
+  Vec2 from, size;
+
+  Strips(const Vec3& center, const Vec3& share) : from(center.x(), center.z()), size(share.x(), share.z()) {}
+  Vec2 line(int k) const {
+    return from + size.cwiseProduct(Vec2((k % edge + 0.5) / edge - 0.5, (k / edge + 0.5) / edge - 0.5));
+  }
+  static Vec3 point(const Vec2& at, double y) { return {at.x(), y, at.y()}; }
+};
+
+/// What a region leaves of a box.
+template <int axes>
 struct Remainder {
   double fraction = 1;
-  Vec2 centroid;
+  Vec<axes> centroid;
 };
 
 /// Midpoint rule over thin vertical strips, exact in the height of each strip.
-Remainder remainder(const Region& region, const Vec2& center, const Vec2& size,
-                    std::vector<Interval>& intervals) {
-  switch (region.share_of_circle(center, 0.5 * size.norm())) {
+template <int axes>
+Remainder<axes> remainder(const BasicRegion<axes>& region, const Vec<axes>& center, const Vec<axes>& size,
+                          std::vector<Interval>& intervals) {
+  switch (region.share_of_ball(center, 0.5 * size.norm())) {
     case Share::all:
       return {1, center};
     case Share::none:
@@ -32,45 +59,76 @@ Remainder remainder(const Region& region, const Vec2& center, const Vec2& size,
     case Share::part:
       break;
   }
-  constexpr int strips = 64;
+  const Strips<axes> strips(center, size);
   const double bottom = center.y() - 0.5 * size.y(), top = center.y() + 0.5 * size.y();
-  double area = 0, moment_x = 0, moment_y = 0;
-  for (int k = 0; k < strips; ++k) {
-    const double x = center.x() + size.x() * ((k + 0.5) / strips - 0.5);
+  double sum = 0;
+  Vec<axes> moment = Vec<axes>::Zero();
+  for (int k = 0; k < strips.count; ++k) {
+    const LineAt<axes> line = strips.line(k);
     intervals.clear();
-    region.cut(x, intervals);
-    double length = 0, moment = 0;
+    region.cut(line, intervals);
+    double length = 0, twice_moment = 0;
     for (const Interval& i : intervals) {
       const double low = std::max(i.low, bottom), high = std::min(i.high, top);
       if (!(high > low)) continue;
       length += high - low;
-      moment += (high - low) * (high + low);
+      twice_moment += (high - low) * (high + low);
     }
-    area += length;
-    moment_x += length * x;
-    moment_y += 0.5 * moment;
+    sum += length;
+    moment += strips.point(length * line, 0.5 * twice_moment);
   }
-  if (area == 0) return {0, center};
-  return {area / (strips * size.y()), Vec2(moment_x / area, moment_y / area)};
+  if (sum == 0) return {0, center};
+  return {sum / (strips.count * size.y()), moment / sum};
 }
 
 /// Number of the share of the lattice that a place lies in.
-std::pair<long, long> share_at(const State& s, const Vec2& share, const Vec2& x) {
-  const Vec2 at = (x - s.grid.origin()).cwiseQuotient(share);
-  return {std::lround(std::floor(at.x())), std::lround(std::floor(at.y()))};
+template <int axes>
+using ShareNumber = std::array<long, axes>;
+template <int axes>
+ShareNumber<axes> share_at(const BasicState<axes>& s, const Vec<axes>& share, const Vec<axes>& x) {
+  const Vec<axes> at = (x - s.grid.origin()).cwiseQuotient(share);
+  ShareNumber<axes> number;
+  for (int k = 0; k < axes; ++k) number[static_cast<std::size_t>(k)] = std::lround(std::floor(at[k]));
+  return number;
 }
 
+double share_of_lattice(const State& s, std::size_t p) { return area(s, p); }
+double share_of_lattice(const BasicState<3>& s, std::size_t p) { return s.particles.volume(p); }
+
 /// Throws where the particles from `first` on share a place with those before.
-void refuse_overlap(const State& s, std::size_t first, const Vec2& share) {
-  std::map<std::pair<long, long>, double> filled;
-  const Particles& ps = s.particles;
+template <int axes>
+void refuse_overlap(const BasicState<axes>& s, std::size_t first, const Vec<axes>& share) {
+  std::map<ShareNumber<axes>, double> filled;
+  const auto& ps = s.particles;
   for (std::size_t p = 0; p < ps.size(); ++p) {
     double& volume = filled[share_at(s, share, ps.position[p])];
-    if (p >= first && volume + area(s, p) > 1.01 * share.x() * share.y())
-      throw InputError("two bodies overlap at x = " + std::to_string(ps.position[p].x() * 1e6) + " um, y = " +
-                       std::to_string(ps.position[p].y() * 1e6) + " um: take one region from the other");
-    volume += area(s, p);
+    if (p >= first && volume + share_of_lattice(s, p) > 1.01 * share.prod()) {
+      std::string place;
+      for (int k = 0; k < axes; ++k)
+        place += std::string(k == 0 ? "" : ", ") + "xyz"[k] + " = " +
+                 std::to_string(ps.position[p][k] * 1e6) + " um";
+      throw InputError("two bodies overlap at " + place + ": take one region from the other");
+    }
+    volume += share_of_lattice(s, p);
   }
+}
+
+/// Calls use(centre) for every share of the lattice in rows of shares [first, last), in the order of the
+/// grid's nodes.
+template <class Use>
+void each_share(const Grid& grid, int side, int first, int last, Use use) {
+  const Vec2 share = grid.cell() / side;
+  for (int j = first; j < last; ++j)
+    for (int i = 0; i < grid.columns() * side; ++i)
+      use(Vec2(grid.origin() + Vec2((i + 0.5) * share.x(), (j + 0.5) * share.y())));
+}
+template <class Use>
+void each_share(const BasicGrid<3>& grid, int side, int first, int last, Use use) {
+  const Vec3 share = grid.cell() / side;
+  for (int j = first; j < last; ++j)
+    for (int k = 0; k < grid.slices() * side; ++k)
+      for (int i = 0; i < grid.columns() * side; ++i)
+        use(Vec3(grid.origin() + Vec3(i + 0.5, j + 0.5, k + 0.5).cwiseProduct(share)));
 }
 
 }  // namespace
@@ -82,29 +140,38 @@ State empty_state(Vec2 low, Vec2 cell, int columns, Floor floor, Space space) {
   return {{}, Grid(low, cell, columns), {}, 0, 0, floor, space};
 }
 
-void fill_rows(State& s, const Body& body, double density, int particles_per_edge, int first, int last) {
-  const int side = particles_per_edge;
-  const Grid& grid = s.grid;
-  const Vec2 share = grid.cell() / side;
-  std::vector<Interval> intervals;
-  for (int j = first * side; j < last * side; ++j)
-    for (int i = 0; i < grid.columns() * side; ++i) {
-      const Vec2 center = grid.origin() + Vec2((i + 0.5) * share.x(), (j + 0.5) * share.y());
-      const Remainder r = remainder(body.region, center - body.place, share, intervals);
-      if (r.fraction < smallest_fraction) continue;
-      const double volume = r.fraction * (share.x() * share.y());
-      const Vec2 position = r.fraction == 1 ? center : Vec2(body.place + r.centroid);
-      // integral of the radius over an area: the area times the radius of its centroid
-      const double radius = s.space == Space::axisymmetric ? position.x() : 1;
-      s.particles.add(position, body.velocity(r.centroid), density * (volume * radius), volume * radius,
-                      0.5 * std::sqrt(r.fraction) * share);
-    }
-  s.velocity_gradient.assign(s.particles.size(), Mat2::Zero());
+BasicState<3> empty_state(Vec3 low, Vec3 cell, int columns, int slices, Floor floor) {
+  return {{}, BasicGrid<3>(low, cell, columns, slices), {}, 0, 0, floor};
 }
 
-void fill(State& s, const Body& body, const Scene& scene) {
-  const Grid& grid = s.grid;
-  const int side = static_cast<int>(std::lround(std::sqrt(scene.numerics.particles_per_cell)));
+template <int axes>
+void fill_rows(BasicState<axes>& s, const BasicBody<axes>& body, double density, int side, int first,
+               int last) {
+  const Vec<axes> share = s.grid.cell() / side;
+  std::vector<Interval> intervals;
+  each_share(s.grid, side, first * side, last * side, [&](const Vec<axes>& center) {
+    const Remainder<axes> r = remainder<axes>(body.region, center - body.place, share, intervals);
+    if (r.fraction < smallest_fraction(axes)) return;
+    const double filled = r.fraction * share.prod();
+    const Vec<axes> position = r.fraction == 1 ? center : Vec<axes>(body.place + r.centroid);
+    // integral of the radius over an area: the area times the radius of its centroid
+    const double radius = s.space == Space::axisymmetric ? position.x() : 1;
+    const double edge = axes == 2 ? std::sqrt(r.fraction) : std::cbrt(r.fraction);
+    s.particles.add(position, body.velocity(r.centroid), density * (filled * radius), filled * radius,
+                    0.5 * edge * share);
+  });
+  s.velocity_gradient.assign(s.particles.size(), Mat<axes>::Zero());
+}
+
+int particles_per_edge(const Numerics& n, int axes) {
+  return static_cast<int>(
+      std::lround(axes == 2 ? std::sqrt(n.particles_per_cell) : std::cbrt(n.particles_per_cell)));
+}
+
+template <int axes>
+void fill(BasicState<axes>& s, const BasicBody<axes>& body, const Scene& scene) {
+  const auto& grid = s.grid;
+  const int side = particles_per_edge(scene.numerics, axes);
   const double bottom = body.region.low.y() + body.place.y() - grid.origin().y();
   const double top = body.region.high.y() + body.place.y() - grid.origin().y();
   if (!std::isfinite(bottom) || !std::isfinite(top))
@@ -117,7 +184,12 @@ void fill(State& s, const Body& body, const Scene& scene) {
             static_cast<int>(std::ceil(top / height - rounding)));
   if (s.particles.size() == before)
     throw InputError("a body lies outside of the grid, or is too small for it");
-  refuse_overlap(s, before, grid.cell() / side);
+  refuse_overlap<axes>(s, before, grid.cell() / side);
 }
+
+template void fill(State&, const Body&, const Scene&);
+template void fill(BasicState<3>&, const BasicBody<3>&, const Scene&);
+template void fill_rows(State&, const Body&, double, int, int, int);
+template void fill_rows(BasicState<3>&, const BasicBody<3>&, double, int, int, int);
 
 }  // namespace mpm

@@ -21,8 +21,8 @@ struct Lattice {
 Lattice lattice_of(const Scene&);
 
 /// The body at time 0: particles on a square lattice, moving as the kind of scene says. A particle whose
-/// share of the lattice a circle cuts gets the mass and the centroid of what is left; shares below a
-/// twentieth are dropped.
+/// share of the lattice a circle cuts gets the mass and the centroid of what is left; small
+/// shares are dropped, see body/fill.hpp.
 State build_state(const Scene&);
 MaterialModel build_material(const Scene&);
 /// What is wrong with a body that was made by hand, and with what a scene says of its material, numerics,
