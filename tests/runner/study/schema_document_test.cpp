@@ -1,4 +1,5 @@
-/// studies/README.md tells the truth: its table of parameters is the one of libmpm, and it names every key.
+/// The pages of studies/ tell the truth: their table of parameters is the one of libmpm, and they name every
+/// key.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 namespace mpmstudy {
 namespace {
 
-std::string readme() {
-  std::ifstream stream(SOURCE_DIR "/studies/README.md");
+std::string page(const std::string& name) {
+  std::ifstream stream(SOURCE_DIR "/studies/" + name);
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
@@ -47,7 +48,7 @@ std::string need_of(const mpm::Quantity& row) {
   return row.alternative.empty() ? "yes" : "yes, or `" + std::string(row.alternative) + "`";
 }
 
-/// The table as it has to stand in studies/README.md.
+/// The table as it has to stand in studies/PARAMETERS.md.
 std::string parameter_table() {
   std::ostringstream text;
   text
@@ -63,24 +64,24 @@ std::string parameter_table() {
 }
 
 TEST(StudiesReadme, ParameterTableIsTrue) {
-  const std::string text = readme();
-  EXPECT_NE(text.find(parameter_table()), std::string::npos) << "put this table into studies/README.md:\n"
-                                                             << parameter_table();
+  EXPECT_NE(page("PARAMETERS.md").find(parameter_table()), std::string::npos)
+      << "put this table into studies/PARAMETERS.md:\n"
+      << parameter_table();
 }
 
-/// The list of fields as it has to stand there, but for the ends of lines.
+/// The list of fields as it has to stand in studies/README.md, but for the ends of lines.
 TEST(StudiesReadme, FieldsAreThoseOfSnapshots) {
   std::string fields = "Fields:";
   for (const mpm::Field& field : mpm::fields())
     fields += (fields.ends_with(":") ? " `" : ", `") + std::string(field.name) + "`";
   fields += ".";
-  std::string text = readme();
+  std::string text = page("README.md");
   std::ranges::replace(text, '\n', ' ');
   EXPECT_NE(text.find(fields), std::string::npos) << "put this into studies/README.md:\n" << fields;
 }
 
 TEST(StudiesReadme, NamesEveryKeyAndTable) {
-  const std::string text = readme();
+  const std::string text = page("README.md") + page("PARAMETERS.md") + page("SWEEPS.md");
   for (const std::string_view table : table_names()) {
     for (const std::string_view key : keys_of(table))
       EXPECT_NE(text.find("`" + std::string(key) + "`"), std::string::npos) << table << " " << key;
