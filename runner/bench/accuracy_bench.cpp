@@ -15,8 +15,8 @@
 namespace mpmstudy {
 namespace {
 
-/// Every shape function with 1, 4 and 9 particles per cell; those of the fast step in float too; with B-splines
-/// also the transfer that carries the gradient.
+/// Every shape function with 1, 4 and 9 particles per cell; those of the fast step in float too; with
+/// B-splines also the transfer that carries the gradient.
 std::vector<AccuracyScheme> schemes_for(const mpm::Scene& scene) {
   const mpm::Choice& shapes = *mpm::find_choice("scheme");
   std::vector<AccuracyScheme> all;

@@ -45,8 +45,8 @@ class Walk {
   }
   std::size_t particles() const { return particles_; }
 
-  /// Million particle updates per second over at least this many seconds, or over as many steps as are wanted:
-  /// of processor time, or with more than one thread of time that passes.
+  /// Million particle updates per second over at least this many seconds, or over as many steps as are
+  /// wanted: of processor time, or with more than one thread of time that passes.
   double rate(double seconds, int threads = 1, std::int64_t wanted = 0) {
     const auto now = [=] {
       return threads == 1

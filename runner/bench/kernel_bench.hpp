@@ -1,6 +1,6 @@
 #pragma once
-/// How fast the time step is: the strong cavity scene (1120 m/s, 4 particles per cell), stepped for a while by
-/// the fast step and by the reference in turn, everything on but the measures.
+/// How fast the time step is: the strong cavity scene (1120 m/s, 4 particles per cell), stepped for a while
+/// by the fast step and by the reference in turn, everything on but the measures.
 #include <array>
 #include <cstdint>
 #include <string>

@@ -4,7 +4,8 @@
 
 namespace mpmstudy {
 
-/// A search of more steps most likely has a wrong unit: no two runs that are so close differ by more than chance.
+/// A search of more steps most likely has a wrong unit: no two runs that are so close differ by more than
+/// chance.
 constexpr double most_search_steps = 100'000;
 
 /// How many steps of at most `tolerance` go from lower to upper, lower < upper; as a double, because they

@@ -102,7 +102,8 @@ TEST_F(WholeStudy, FiguresSayWhatIsNotDone) {
                printed),
       1)
       << printed;
-  EXPECT_NE(printed.find("a quadratic fit needs at least 3 points; there are 2"), std::string::npos) << printed;
+  EXPECT_NE(printed.find("a quadratic fit needs at least 3 points; there are 2"), std::string::npos)
+      << printed;
   printed.clear();
   EXPECT_EQ(mpmstudy("figures --cells 1 " + file().string(), printed), 75);
   EXPECT_NE(printed.find("2 of 4 jobs are not done"), std::string::npos) << printed;
