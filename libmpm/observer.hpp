@@ -21,23 +21,26 @@ struct AreaSample {
   double void_area = 0;  ///< by the empty region of the indicator field [m^2]
 };
 
-/// Fields of all particles at one time. Columns have the same length. Vectors are (x, y).
-/// Half of a symmetric scene is handed over as it was modelled: x >= 0.
+/// Fields of all particles at one time. Columns have the same length; those along z are there in scenes of
+/// three axes only. Half of a symmetric scene is handed over as it was modelled: x >= 0.
 struct Snapshot {
   double time = 0;  ///< [s]
   std::int64_t step = 0;
-  std::vector<double> x, y;                    ///< [m]
-  std::vector<double> velocity_x, velocity_y;  ///< [m/s]
+  std::vector<double> x, y, z;                             ///< [m]
+  std::vector<double> velocity_x, velocity_y, velocity_z;  ///< [m/s]
   std::vector<double> mass;      ///< density times area in the plane: per depth, in axisymmetry per
-                                 ///< length of the hoop [kg/m]
+                                 ///< length of the hoop [kg/m]; of three axes whole [kg]
   std::vector<double> density;   ///< [kg/m^3]
   std::vector<double> pressure;  ///< compression positive, without artificial viscosity [Pa]
   std::vector<double> stress_xx, stress_yy, stress_xy, stress_zz;  ///< Cauchy, tension positive [Pa]
+  std::vector<double> stress_xz, stress_yz;                        ///< [Pa]
   std::vector<double> von_mises;                                   ///< [Pa]
   std::vector<double> equivalent_plastic_strain;                   ///< [1]
   std::vector<double> plastic_work;                                ///< per current volume [J/m^3]
   std::vector<double> specific_internal_energy;  ///< half a step behind the stress, as it is carried [J/kg]
   std::vector<double> temperature;               ///< [K]
+
+  bool has_depth() const { return !z.empty(); }
 };
 
 /// Watches a run, on the thread that runs it. Every member may be left as it is.

@@ -15,6 +15,7 @@
 #include "libmpm/measure/health.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/dispatch.hpp"
+#include "libmpm/scene/parameters.hpp"
 
 namespace mpm {
 namespace {
@@ -61,33 +62,51 @@ void refuse(const std::vector<Problem>& problems) {
   throw InputError(text);
 }
 
-State checked_state(const Scene& scene) {
+/// That the scene is of so many axes.
+void check_axes(const Scene& scene, int axes) {
+  if (axes_of(scene.space) == axes) return;
+  const Choice& space = *find_choice("space");
+  throw InputError("space = " + std::string(space.allowed[space.get(scene)]) + ": must be " +
+                   (axes == 2 ? "plane-strain or axisymmetric for a Simulation; three-d is for a Simulation3"
+                              : "three-d for a Simulation3"));
+}
+
+template <int axes>
+BasicState<axes> checked_state(const Scene& scene) {
+  check_axes(scene, axes);
   refuse(find_problems(scene));
-  return build_state(scene);
+  return build_state<axes>(scene);
 }
 
 /// With the columns that the scene has and the body may leave out.
-State checked_body(const Scene& scene, State body) {
+template <int axes>
+BasicState<axes> checked_body(const Scene& scene, BasicState<axes> body) {
+  check_axes(scene, axes);
   const std::size_t n = body.particles.size();
-  if (body.velocity_gradient.empty()) body.velocity_gradient.assign(n, Mat2::Zero());
+  if (body.velocity_gradient.empty()) body.velocity_gradient.assign(n, Mat<axes>::Zero());
   refuse(find_problems(scene, body));
   body.particles.keep(state_columns(scene.material));
   return body;
 }
 
-double fastest(const Particles& ps) {
+template <int axes>
+double fastest(const BasicParticles<axes>& ps) {
   double square = 0;
-  for (const Vec2& v : ps.velocity) square = std::max(square, v.squaredNorm());
+  for (const Vec<axes>& v : ps.velocity) square = std::max(square, v.squaredNorm());
   return std::sqrt(square);
 }
 
 }  // namespace
 
-struct Simulation::Parts {
+template <int axes>
+struct BasicSimulation<axes>::Parts {
+  using Health = BasicHealth<axes>;
+  using Trouble = typename Health::Trouble;
+
   Parts(const Scene& s, State body, double speed)
       : scene(s),
         state(std::move(body)),
-        stepper(stepper_for(s)),
+        stepper(stepper_for<axes>(s)),
         temperature(s.material),
         balance(state),
         health(s, state, speed),
@@ -101,7 +120,7 @@ struct Simulation::Parts {
     return std::ranges::any_of(measurements, [](const auto& m) { return m->decided(); });
   }
   bool over() const { return stopped || failed() || state.time >= scene.end_time || decided(); }
-  bool failed() const { return trouble != Health::Trouble::none; }
+  bool failed() const { return trouble != Trouble::none; }
   double time_step() const { return scene.numerics.cfl * state.grid.cell().minCoeff() / signal; }
 
   void begin(Observer&);
@@ -117,16 +136,17 @@ struct Simulation::Parts {
   std::unique_ptr<Stepper> stepper;
   Temperature temperature;
   std::vector<std::unique_ptr<Measurement>> measurements;
-  Balance balance;
+  BasicBalance<axes> balance;
   Health health;
   Schedule schedule;
   double signal;  ///< the fastest [m/s]
-  Health::Trouble trouble = Health::Trouble::none;
+  Trouble trouble = Trouble::none;
   std::string reason;
   bool begun = false, stopped = false;
 };
 
-void Simulation::Parts::begin(Observer& observer) {
+template <int axes>
+void BasicSimulation<axes>::Parts::begin(Observer& observer) {
   if (std::exchange(begun, true)) return;
   if (Record* record = observer.resume_from())
     carry(Archive::from(*record));
@@ -134,7 +154,8 @@ void Simulation::Parts::begin(Observer& observer) {
     observe(observer);
 }
 
-void Simulation::Parts::carry(Archive a) {
+template <int axes>
+void BasicSimulation<axes>::Parts::carry(Archive a) {
   const auto part = [&](const std::string& name, auto& what) {
     Archive inside = a.part(name);
     what.carry(inside);
@@ -147,12 +168,14 @@ void Simulation::Parts::carry(Archive a) {
     part("measurement-" + std::to_string(i), *measurements[i]);
 }
 
-void Simulation::Parts::sample(Observer& observer) {
+template <int axes>
+void BasicSimulation<axes>::Parts::sample(Observer& observer) {
   balance.sample(state, observer);
   for (const auto& m : measurements) m->sample(state, observer);
 }
 
-void Simulation::Parts::observe(Observer& observer) {
+template <int axes>
+void BasicSimulation<axes>::Parts::observe(Observer& observer) {
   const bool sample_now = schedule.sample_due(state.time) || state.time >= scene.end_time;
   const bool snapshot = schedule.snapshot_due(state.time);
   if (sample_now || snapshot) stepper->refresh_particles(state);
@@ -161,7 +184,8 @@ void Simulation::Parts::observe(Observer& observer) {
 }
 
 /// One step, and the measurements that look at every step. Where it ends at `due`, it does to the last bit.
-StepReport Simulation::Parts::advance(double dt, std::optional<double> due) {
+template <int axes>
+BasicStepReport<axes> BasicSimulation<axes>::Parts::advance(double dt, std::optional<double> due) {
   const StepReport report = stepper->step(state, dt);
   if (due) state.time = *due;
   signal = report.largest_signal;
@@ -176,7 +200,8 @@ StepReport Simulation::Parts::advance(double dt, std::optional<double> due) {
   return report;
 }
 
-void Simulation::Parts::step(Observer& observer) {
+template <int axes>
+void BasicSimulation<axes>::Parts::step(Observer& observer) {
   // Equal steps up to the next event, so that it is hit exactly and no step is tiny.
   const double due = schedule.next();
   const double steps = std::max(std::ceil((due - state.time) / time_step()), 1.0);
@@ -205,7 +230,8 @@ void Simulation::Parts::step(Observer& observer) {
     for (const auto& m : measurements) m->sample(state, observer);
 }
 
-RunResult Simulation::Parts::result() {
+template <int axes>
+RunResult BasicSimulation<axes>::Parts::result() {
   RunResult r;
   r.particles = static_cast<std::int64_t>(state.particles.size());
   r.steps = state.step;
@@ -226,44 +252,54 @@ RunResult Simulation::Parts::result() {
   return r;
 }
 
-Simulation::Simulation(const Scene& scene)
-    : parts_(std::make_unique<Parts>(scene, checked_state(scene), initial_speed(scene))) {
+template <int axes>
+BasicSimulation<axes>::BasicSimulation(const Scene& scene)
+    : parts_(std::make_unique<Parts>(scene, checked_state<axes>(scene), initial_speed(scene))) {
   parts_->measurements = measurements_for(scene, parts_->state);
 }
 
-Simulation::Simulation(const Scene& scene, State body) {
+template <int axes>
+BasicSimulation<axes>::BasicSimulation(const Scene& scene, State body) {
   State state = checked_body(scene, std::move(body));
   const double speed = fastest(state.particles);
   parts_ = std::make_unique<Parts>(scene, std::move(state), speed);
 }
 
-Simulation::~Simulation() = default;
-Simulation::Simulation(Simulation&&) noexcept = default;
-Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+template <int axes>
+BasicSimulation<axes>::~BasicSimulation() = default;
+template <int axes>
+BasicSimulation<axes>::BasicSimulation(BasicSimulation&&) noexcept = default;
+template <int axes>
+BasicSimulation<axes>& BasicSimulation<axes>::operator=(BasicSimulation&&) noexcept = default;
 
-void Simulation::use(std::unique_ptr<Stepper> stepper) {
+template <int axes>
+void BasicSimulation<axes>::use(std::unique_ptr<Stepper> stepper) {
   if (parts_->begun) throw std::logic_error("the stepper of a simulation that has begun cannot be changed");
   parts_->stepper = std::move(stepper);
 }
 
-void Simulation::add(std::unique_ptr<Measurement> measurement) {
+template <int axes>
+void BasicSimulation<axes>::add(std::unique_ptr<Measurement> measurement) {
   if (parts_->begun) throw std::logic_error("a simulation that has begun takes no more measurements");
   parts_->measurements.push_back(std::move(measurement));
 }
 
-bool Simulation::step(Observer& observer) {
+template <int axes>
+bool BasicSimulation<axes>::step(Observer& observer) {
   parts_->begin(observer);
   if (parts_->over()) return false;
   parts_->step(observer);
   return !parts_->over();
 }
 
-bool Simulation::step() {
+template <int axes>
+bool BasicSimulation<axes>::step() {
   Observer silent;
   return step(silent);
 }
 
-StepReport Simulation::step(double dt) {
+template <int axes>
+BasicStepReport<axes> BasicSimulation<axes>::step(double dt) {
   Observer silent;
   parts_->begin(silent);
   const StepReport report = parts_->advance(dt, std::nullopt);
@@ -271,34 +307,57 @@ StepReport Simulation::step(double dt) {
   return report;
 }
 
-RunResult Simulation::run(Observer& observer) {
+template <int axes>
+RunResult BasicSimulation<axes>::run(Observer& observer) {
   while (step(observer)) {
   }
   return result();
 }
 
-RunResult Simulation::run() {
+template <int axes>
+RunResult BasicSimulation<axes>::run() {
   Observer silent;
   return run(silent);
 }
 
-double Simulation::time_step() const { return parts_->time_step(); }
+template <int axes>
+double BasicSimulation<axes>::time_step() const {
+  return parts_->time_step();
+}
 
-const State& Simulation::state() {
+template <int axes>
+const BasicState<axes>& BasicSimulation<axes>::state() {
   State& s = parts_->state;
   parts_->stepper->refresh_particles(s);
   double highest = s.grid.origin().y();
-  for (const Vec2& x : s.particles.position) highest = std::max(highest, x.y());
+  for (const Vec<axes>& x : s.particles.position) highest = std::max(highest, x.y());
   const double rows = (highest - s.grid.origin().y()) * s.grid.inverse_cell().y();
-  parts_->stepper->refresh_nodes(s, -Grid::ghosts, static_cast<int>(rows) + Grid::ghosts);
+  parts_->stepper->refresh_nodes(s, -s.grid.ghosts, static_cast<int>(rows) + s.grid.ghosts);
   return s;
 }
 
-double Simulation::time() const { return parts_->state.time; }
-Stepper& Simulation::stepper() { return *parts_->stepper; }
-RunResult Simulation::result() { return parts_->result(); }
+template <int axes>
+double BasicSimulation<axes>::time() const {
+  return parts_->state.time;
+}
+template <int axes>
+BasicStepper<axes>& BasicSimulation<axes>::stepper() {
+  return *parts_->stepper;
+}
+template <int axes>
+RunResult BasicSimulation<axes>::result() {
+  return parts_->result();
+}
 
-RunResult run(const Scene& scene, Observer& observer) { return Simulation(scene).run(observer); }
-RunResult run(const Scene& scene) { return Simulation(scene).run(); }
+template class BasicSimulation<2>;
+template class BasicSimulation<3>;
+
+RunResult run(const Scene& scene, Observer& observer) {
+  return axes_of(scene.space) == 2 ? Simulation(scene).run(observer) : Simulation3(scene).run(observer);
+}
+RunResult run(const Scene& scene) {
+  Observer silent;
+  return run(scene, silent);
+}
 
 }  // namespace mpm

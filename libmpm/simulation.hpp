@@ -2,6 +2,7 @@
 /// What a user of the library calls: run a scene, or take it step by step, with parts of one's own.
 #include <memory>
 
+#include "libmpm/measure/measurement.hpp"
 #include "libmpm/observer.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene/scene.hpp"
@@ -9,27 +10,33 @@
 
 namespace mpm {
 
-class Measurement;
-
 /// One run.
 ///
 ///   Simulation s(scene);                       // or Simulation(scene, body), with a body of one's own
 ///   s.add(std::make_unique<MyGauge>(...));     // beside what the scene is measured by; may be left out
 ///   RunResult r = s.run();                     // or: while (s.step()) look_at(s.state());  r = s.result();
 ///
+/// Scenes of three axes (space = three-d) are run by a Simulation3, which has a state of three axes.
 /// Belongs to one thread at a time. A breakdown is a result, not an exception.
-class Simulation {
+template <int axes>
+class BasicSimulation {
  public:
-  /// The scene's own body and measurements. Throws InputError naming all that find_problems() finds.
-  explicit Simulation(const Scene&);
+  using State = BasicState<axes>;
+  using StepReport = BasicStepReport<axes>;
+  using Stepper = BasicStepper<axes>;
+  using Measurement = BasicMeasurement<axes>;
+
+  /// The scene's own body and measurements. Throws InputError naming all that find_problems() finds, or the
+  /// space where it has not these axes.
+  explicit BasicSimulation(const Scene&);
   /// A body of one's own (body/fill.hpp makes them), and no measurements but the balance and the health of
   /// the run. Of the scene it takes material, numerics, measures and end time. Throws InputError naming what
   /// is wrong with these, or with the body. Columns of the body that are empty though the scene has them
   /// (velocity gradient, back stress) begin at zero.
-  Simulation(const Scene&, State body);
-  ~Simulation();
-  Simulation(Simulation&&) noexcept;
-  Simulation& operator=(Simulation&&) noexcept;
+  BasicSimulation(const Scene&, State body);
+  ~BasicSimulation();
+  BasicSimulation(BasicSimulation&&) noexcept;
+  BasicSimulation& operator=(BasicSimulation&&) noexcept;
 
   /// Takes the steps in place of the scene's own stepper; it must set the report's signal, from which time
   /// steps follow, and its dilations, kinetic energy and masses beyond limits, which the health of the run is
@@ -63,7 +70,10 @@ class Simulation {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Simulation(scene).run()
+using Simulation = BasicSimulation<2>;
+using Simulation3 = BasicSimulation<3>;
+
+/// Simulation(scene).run(), in whatever space.
 RunResult run(const Scene&, Observer&);
 RunResult run(const Scene&);
 

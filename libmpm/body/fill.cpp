@@ -92,24 +92,21 @@ ShareNumber<axes> share_at(const BasicState<axes>& s, const Vec<axes>& share, co
   return number;
 }
 
-double share_of_lattice(const State& s, std::size_t p) { return area(s, p); }
-double share_of_lattice(const BasicState<3>& s, std::size_t p) { return s.particles.volume(p); }
-
 /// Throws where the particles from `first` on share a place with those before.
 template <int axes>
 void refuse_overlap(const BasicState<axes>& s, std::size_t first, const Vec<axes>& share) {
-  std::map<ShareNumber<axes>, double> filled;
+  std::map<ShareNumber<axes>, double> sums;
   const auto& ps = s.particles;
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    double& volume = filled[share_at(s, share, ps.position[p])];
-    if (p >= first && volume + share_of_lattice(s, p) > 1.01 * share.prod()) {
+    double& volume = sums[share_at(s, share, ps.position[p])];
+    if (p >= first && volume + filled(s, p) > 1.01 * share.prod()) {
       std::string place;
       for (int k = 0; k < axes; ++k)
         place += std::string(k == 0 ? "" : ", ") + "xyz"[k] + " = " +
                  std::to_string(ps.position[p][k] * 1e6) + " um";
       throw InputError("two bodies overlap at " + place + ": take one region from the other");
     }
-    volume += share_of_lattice(s, p);
+    volume += filled(s, p);
   }
 }
 
@@ -152,12 +149,12 @@ void fill_rows(BasicState<axes>& s, const BasicBody<axes>& body, double density,
   each_share(s.grid, side, first * side, last * side, [&](const Vec<axes>& center) {
     const Remainder<axes> r = remainder<axes>(body.region, center - body.place, share, intervals);
     if (r.fraction < smallest_fraction(axes)) return;
-    const double filled = r.fraction * share.prod();
+    const double left = r.fraction * share.prod();
     const Vec<axes> position = r.fraction == 1 ? center : Vec<axes>(body.place + r.centroid);
     // integral of the radius over an area: the area times the radius of its centroid
     const double radius = s.space == Space::axisymmetric ? position.x() : 1;
     const double edge = axes == 2 ? std::sqrt(r.fraction) : std::cbrt(r.fraction);
-    s.particles.add(position, body.velocity(r.centroid), density * (filled * radius), filled * radius,
+    s.particles.add(position, body.velocity(r.centroid), density * (left * radius), left * radius,
                     0.5 * edge * share);
   });
   s.velocity_gradient.assign(s.particles.size(), Mat<axes>::Zero());

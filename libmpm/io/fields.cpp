@@ -4,12 +4,14 @@ namespace mpm {
 namespace {
 
 /// Of a column of the material; 0 where its model has none of that name.
-double number_of(const State& s, std::string_view column, std::size_t p) {
+template <int axes>
+double number_of(const BasicState<axes>& s, std::string_view column, std::size_t p) {
   const std::span<const double> values = s.particles.own_values(column);
   return values.empty() ? 0 : values[p];
 }
 
-#define OF [](const State& s, std::size_t p, [[maybe_unused]] const Temperature& temperature) -> double
+#define OF [](const auto& s, std::size_t p, [[maybe_unused]] const Temperature& temperature) -> double
+#define OF_THREE_AXES [](const BasicState<3>& s, std::size_t p, const Temperature&) -> double
 // clang-format off
 /// Stress is without artificial viscosity, as the pressure is.
 constexpr Field table[] = {
@@ -17,6 +19,8 @@ constexpr Field table[] = {
      OF { return s.particles.velocity[p].x(); }},
     {"velocity_y", "m/s", "", "Velocity along y", "", &Snapshot::velocity_y,
      OF { return s.particles.velocity[p].y(); }},
+    {"velocity_z", "m/s", "", "Velocity along z", "", &Snapshot::velocity_z,
+     OF_THREE_AXES { return s.particles.velocity[p].z(); }},
     {"density", "kg/m^3", "ρ", "", "Density", &Snapshot::density,
      OF { return s.particles.density(p); }},
     {"pressure", "Pa", "P", "", "Pressure", &Snapshot::pressure,
@@ -31,6 +35,10 @@ constexpr Field table[] = {
      OF { return s.particles.deviator[p].xy; }},
     {"stress_zz", "Pa", "", "", "StressZZ", &Snapshot::stress_zz,
      OF { return s.particles.deviator[p].zz - s.particles.pressure[p]; }},
+    {"stress_xz", "Pa", "", "Shear stress xz", "StressXZ", &Snapshot::stress_xz,
+     OF_THREE_AXES { return s.particles.deviator[p].xz; }},
+    {"stress_yz", "Pa", "", "Shear stress yz", "StressYZ", &Snapshot::stress_yz,
+     OF_THREE_AXES { return s.particles.deviator[p].yz; }},
     {"equivalent_plastic_strain", "1", "", "", "PlasticStrain", &Snapshot::equivalent_plastic_strain,
      OF { return number_of(s, "plastic_strain", p); }},
     {"plastic_work", "J/m^3", "", "", "PlasticWork", &Snapshot::plastic_work,
@@ -40,14 +48,15 @@ constexpr Field table[] = {
     {"temperature", "K", "T", "", "Temperature", &Snapshot::temperature,
      OF { return temperature(s.particles.dilation[p], s.particles.energy[p]); }},
     {"mass", "kg/m", "", "", "Mass", &Snapshot::mass,
-     OF { return s.space == Space::axisymmetric ? s.particles.density(p) * area(s, p) : s.particles.mass[p]; }},
+     OF { return s.space == Space::axisymmetric ? s.particles.density(p) * filled(s, p) : s.particles.mass[p]; }, "kg"},
 };
 // clang-format on
 #undef OF
+#undef OF_THREE_AXES
 
-// Beside time and step: x, y, and a row for each other column.
+// Beside time and step: x, y, z, and a row for each other column.
 static_assert(sizeof(Snapshot) == sizeof(Snapshot::time) + sizeof(Snapshot::step) +
-                                      (2 + std::size(table)) * sizeof(std::vector<double>),
+                                      (3 + std::size(table)) * sizeof(std::vector<double>),
               "a column of Snapshot has no row in the table of fields");
 
 }  // namespace

@@ -6,6 +6,7 @@
 namespace mpm {
 
 /// The fields of all particles, in the words of users.
-Snapshot snapshot_of(const State&, const Temperature&);
+template <int axes>
+Snapshot snapshot_of(const BasicState<axes>&, const Temperature&);
 
 }  // namespace mpm

@@ -21,6 +21,7 @@ using namespace hdf5;
 /// Fields of /VTKHDF/PointData that are arrays of their own. Points and Velocity are vectors, and written
 /// apart.
 bool is_scalar(const Field& field) { return *field.dataset != '\0'; }
+bool is_there(const Field& field, const Snapshot& s) { return s.has_depth() || !field.only_of_three_axes(); }
 
 constexpr char type_name[] = "UnstructuredGrid";
 constexpr std::size_t type_length = sizeof(type_name) - 1;
@@ -38,11 +39,14 @@ void write_number_attribute(const Session& s, hid_t object, const char* name, st
   s.check(H5Awrite(attribute, memory_type<T>(), values.data()), name);
 }
 
-std::vector<double> rows_of_three(const std::vector<double>& x, const std::vector<double>& y) {
+/// z = 0 where there is none.
+std::vector<double> rows_of_three(const std::vector<double>& x, const std::vector<double>& y,
+                                  const std::vector<double>& z) {
   std::vector<double> rows(3 * x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     rows[3 * i] = x[i];
     rows[3 * i + 1] = y[i];
+    if (!z.empty()) rows[3 * i + 2] = z[i];
   }
   return rows;
 }
@@ -70,13 +74,15 @@ void write_group(const Session& s, hid_t file, const Snapshot& snapshot) {
   write_text_attribute(s, root, "time_unit", "s");
   write_number_attribute<std::int64_t>(s, root, "step", std::span(&snapshot.step, 1));
 
-  write_dataset(s, root, "Points", rows_of_three(snapshot.x, snapshot.y), "m", 3);
+  write_dataset(s, root, "Points", rows_of_three(snapshot.x, snapshot.y, snapshot.z), "m", 3);
   write_cells(s, root, snapshot.x.size());
 
   const Handle points = create_group(s, root, "PointData");
-  write_dataset(s, points, "Velocity", rows_of_three(snapshot.velocity_x, snapshot.velocity_y), "m/s", 3);
+  write_dataset(s, points, "Velocity",
+                rows_of_three(snapshot.velocity_x, snapshot.velocity_y, snapshot.velocity_z), "m/s", 3);
   for (const Field& field : fields())
-    if (is_scalar(field)) write_dataset(s, points, field.dataset, snapshot.*field.values, field.unit);
+    if (is_scalar(field) && is_there(field, snapshot))
+      write_dataset(s, points, field.dataset, snapshot.*field.values, field.unit_in(snapshot));
 
   const Handle fields = create_group(s, root, "FieldData");
   write_dataset(s, fields, "Time", std::vector<double>{snapshot.time}, "s");
@@ -91,8 +97,10 @@ void check_lengths(const std::filesystem::path& path, const Snapshot& snapshot) 
                                 std::string(name));
   };
   check("y", snapshot.y);
+  if (snapshot.has_depth()) check("z", snapshot.z);
   for (const Field& field : fields())
-    check(is_scalar(field) ? field.dataset : field.name, snapshot.*field.values);
+    if (is_there(field, snapshot))
+      check(is_scalar(field) ? field.dataset : field.name, snapshot.*field.values);
 }
 
 // ---------------------------------------------------------------------------------------------- reading
@@ -117,13 +125,24 @@ void check_type(const Session& s, hid_t root) {
   if (text != type_name) s.fail("Type: is " + text + ", not " + type_name);
 }
 
-void split_rows_of_three(const std::vector<double>& rows, std::vector<double>& x, std::vector<double>& y) {
+/// Those along z only `with_depth`.
+void split_rows_of_three(const std::vector<double>& rows, bool with_depth, std::vector<double>& x,
+                         std::vector<double>& y, std::vector<double>& z) {
   x.resize(rows.size() / 3);
   y.resize(rows.size() / 3);
+  z.resize(with_depth ? rows.size() / 3 : 0);
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = rows[3 * i];
     y[i] = rows[3 * i + 1];
+    if (with_depth) z[i] = rows[3 * i + 2];
   }
+}
+
+/// Whether the file has what only snapshots of three axes have.
+bool has_depth(const Session& s, hid_t points) {
+  const auto field =
+      std::ranges::find_if(fields(), [](const Field& f) { return is_scalar(f) && f.only_of_three_axes(); });
+  return s.check(H5Lexists(points, field->dataset, H5P_DEFAULT), field->dataset) > 0;
 }
 
 Snapshot read_group(const std::filesystem::path& path) {
@@ -134,12 +153,14 @@ Snapshot read_group(const std::filesystem::path& path) {
   Snapshot snapshot;
   snapshot.time = read_number_attribute<double>(s, root, "time");
   snapshot.step = read_number_attribute<std::int64_t>(s, root, "step");
-  split_rows_of_three(read_dataset<double>(s, root, "Points", 3), snapshot.x, snapshot.y);
   const Handle points(s.check(H5Gopen2(root, "PointData", H5P_DEFAULT), "PointData"), H5Gclose);
-  split_rows_of_three(read_dataset<double>(s, points, "Velocity", 3), snapshot.velocity_x,
-                      snapshot.velocity_y);
+  const bool depth = has_depth(s, points);
+  split_rows_of_three(read_dataset<double>(s, root, "Points", 3), depth, snapshot.x, snapshot.y, snapshot.z);
+  split_rows_of_three(read_dataset<double>(s, points, "Velocity", 3), depth, snapshot.velocity_x,
+                      snapshot.velocity_y, snapshot.velocity_z);
   for (const Field& field : fields())
-    if (is_scalar(field)) snapshot.*field.values = read_dataset<double>(s, points, field.dataset);
+    if (is_scalar(field) && (depth || !field.only_of_three_axes()))
+      snapshot.*field.values = read_dataset<double>(s, points, field.dataset);
   return snapshot;
 }
 

@@ -2,9 +2,10 @@
 /// Snapshots as VTKHDF, which ParaView opens: an UnstructuredGrid of vertices, version 1.0, one piece.
 ///
 ///   /VTKHDF            attributes Version [1, 0], Type "UnstructuredGrid", time, time_unit "s", step
-///     Points           (n, 3) [m]; z = 0
+///     Points           (n, 3) [m]; z = 0 in scenes of two axes
 ///     Connectivity, Offsets, Types, NumberOf{Points,Cells,ConnectivityIds}
-///     PointData/       Velocity (n, 3), and the datasets of the table of fields (fields.hpp)
+///     PointData/       Velocity (n, 3), and the datasets of the table of fields (fields.hpp):
+///                      those of three axes only in scenes that have them
 ///     FieldData/       Time, Step
 ///
 /// Every dataset carries the attribute `unit` (SI; "1" for a pure number). Numbers are stored as they are in

@@ -16,7 +16,6 @@ constexpr ResultRow rows[] = {
      .metric = false,
      .column = true,
      .error_column = "collapsibility_error",
-     .lost_share_of = {"final_volume_m3", "final_area_m2"},  // in axisymmetry it is made of volumes
      .of_closed_cavity = true},
     {.name = "final_area_m2",
      .unit = "m2",
@@ -27,8 +26,6 @@ constexpr ResultRow rows[] = {
      .metric = false,
      .column = true,
      .error_column = "final_area_error_m2",
-     .difference = "final_area_difference_m2",
-     .scatter = "final_area_scatter_m2",
      .of_closed_cavity = true},
     {.name = "initial_area_m2",
      .unit = "m2",
@@ -78,29 +75,27 @@ constexpr ResultRow rows[] = {
      .meaning = "volume of the cavity at the start",
      .has_interval = false,
      .lower = 0,
-     .space = Space::axisymmetric},
+     .spaces = {Space::axisymmetric, Space::three_d}},
     {.name = "final_volume_m3",
      .unit = "m3",
      .symbol = "V",
      .title = "Final cavity volume",
-     .meaning = "volume of the cavity at the end, of which collapsibility is made in axisymmetry",
+     .meaning = "volume of the cavity at the end, of which collapsibility is made",
      .lower = 0,
-     .space = Space::axisymmetric,
-     .difference = "final_volume_difference_m3",
-     .scatter = "final_volume_scatter_m3",
+     .spaces = {Space::axisymmetric, Space::three_d},
      .of_closed_cavity = true},
     {.name = "final_volume_scatter_m3",
      .unit = "m3",
      .meaning = "part of the final volume's measuring error, as of the area",
      .has_interval = false,
      .lower = 0,
-     .space = Space::axisymmetric},
+     .spaces = {Space::axisymmetric, Space::three_d}},
     {.name = "final_volume_difference_m3",
      .unit = "m3",
      .meaning = "the other part, as of the area",
      .has_interval = false,
      .lower = 0,
-     .space = Space::axisymmetric},
+     .spaces = {Space::axisymmetric, Space::three_d}},
     {.name = "largest_collapsibility",
      .unit = "1",
      .meaning =
@@ -145,7 +140,8 @@ constexpr ResultRow rows[] = {
     {.name = "cavities_at_end", .unit = "1", .meaning = "closed empty regions at the end"},
 };
 
-double center_of_mass_height(const Particles& ps) {
+template <int axes>
+double center_of_mass_height(const BasicParticles<axes>& ps) {
   double mass = 0, moment = 0;
   for (std::size_t p = 0; p < ps.size(); ++p) {
     mass += ps.mass[p];
@@ -154,38 +150,53 @@ double center_of_mass_height(const Particles& ps) {
   return moment / mass;
 }
 
+/// The point of the axis at this height.
+template <int axes>
+Vec<axes> on_axis(double y) {
+  Vec<axes> x = Vec<axes>::Zero();
+  x.y() = y;
+  return x;
+}
+
 constexpr double window = 0.25;  ///< share of the run that counts as its end
 
 }  // namespace
 
-std::span<const ResultRow> Cavity::results() { return rows; }
+template <int axes>
+std::span<const ResultRow> BasicCavity<axes>::results() {
+  return rows;
+}
 
-Cavity::Cavity(const Scene& s, const State& state, bool open_below)
+template <int axes>
+BasicCavity<axes>::BasicCavity(const Scene& s, const State& state, bool open_below)
     : open_below_(open_below),
-      axisymmetric_(state.space == Space::axisymmetric),
-      contour_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.cell_size,
+      by_volume_(state.space != Space::plane_strain),
+      outline_(on_axis<axes>(s.cavity_center_height), s.cavity_radius, s.numerics.cell_size,
                s.numerics.symmetry == Symmetry::half),
-      void_(Vec2(0, s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,
+      void_(on_axis<axes>(s.cavity_center_height), s.cavity_radius, s.numerics.symmetry == Symmetry::full,
             s.numerics.particles_per_cell),
       jet_(s),
-      initial_offset_(contour_.centroid().y() - center_of_mass_height(state.particles)),
+      initial_offset_(section().centroid().y() - center_of_mass_height(state.particles)),
       smallest_size_(contour_size()),
       smallest_sample_(smallest_size_) {}
 
-void Cavity::after_step(const State& s, const StepReport&, double dt) {
-  contour_.advance(s.grid, dt);
+template <int axes>
+void BasicCavity<axes>::after_step(const State& s, const StepReport&, double dt) {
+  outline_.advance(s.grid, dt);
   if (crossed_time_ < 0) smallest_size_ = std::min(smallest_size_, std::max(contour_size(), 0.0));
 }
 
-bool Cavity::joined_outside() const {
+template <int axes>
+bool BasicCavity<axes>::joined_outside() const {
   return void_.joined_outside() || (open_below_ && void_.touches_wall());
 }
 
-void Cavity::sample(const State& s, Observer& observer) {
-  const AreaSample now{s.time, contour_.area(), void_.update(s)};
+template <int axes>
+void BasicCavity<axes>::sample(const State& s, Observer& observer) {
+  const AreaSample now{s.time, section().area(), void_.update(s)};
   if (now.void_area == 0 && closed_time_ < 0) closed_time_ = s.time;
   if (joined_outside() && joined_time_ < 0) joined_time_ = s.time;
-  if (crossed_time_ < 0 && contour_.crosses_itself()) crossed_time_ = s.time;
+  if (crossed_time_ < 0 && outline_.crosses_itself()) crossed_time_ = s.time;
   if (topology_time_ < 0 && std::max({closed_time_, joined_time_, crossed_time_}) >= 0)
     topology_time_ = s.time;
   if (topology_time_ < 0) area_difference_ = std::max(area_difference_, std::abs(now.void_area - now.area));
@@ -193,8 +204,8 @@ void Cavity::sample(const State& s, Observer& observer) {
   const int others = void_.closed_regions() - (itself ? 1 : 0);
   most_new_ = std::max(most_new_, others);
   if (others > 0 && new_time_ < 0) new_time_ = s.time;
-  jet_.sample(s, contour_);
-  const Size size = axisymmetric_ ? Size{contour_size(), void_.volume()} : Size{now.area, now.void_area};
+  jet_.sample(s, outline_.upstream_pole().y(), outline_.downstream_pole().y());
+  const Size size = by_volume_ ? Size{contour_size(), void_.volume()} : Size{now.area, now.void_area};
   if (crossed_time_ < 0 && size.contour < smallest_sample_) {
     smallest_sample_ = size.contour;
     smallest_difference_ = std::abs(size.empty - size.contour);
@@ -205,12 +216,15 @@ void Cavity::sample(const State& s, Observer& observer) {
 }
 
 /// What is left of a history: its mean from a time on, the scatter, and by how much the void is larger.
-struct Cavity::Ending {
+template <int axes>
+struct BasicCavity<axes>::Ending {
   double mean, scatter, difference;
   double error() const { return std::hypot(scatter, difference); }
 };
 
-Cavity::Ending Cavity::ending(double start, const std::vector<Size>& sizes) const {
+template <int axes>
+typename BasicCavity<axes>::Ending BasicCavity<axes>::ending(double start,
+                                                             const std::vector<Size>& sizes) const {
   const auto size_at = [&](std::size_t k) {
     return crossed_time_ >= 0 && history_[k].time >= crossed_time_ ? sizes[k].empty : sizes[k].contour;
   };
@@ -227,12 +241,13 @@ Cavity::Ending Cavity::ending(double start, const std::vector<Size>& sizes) cons
   return {mean, std::sqrt(sum_of_squares / count), difference / count};
 }
 
-void Cavity::finish(const State& s, RunResult& result) const {
+template <int axes>
+void BasicCavity<axes>::finish(const State& s, RunResult& result) const {
   // the last sample, if a run that was stopped has none in the window
   const double start = std::min((1 - window) * s.time, history_.back().time);
   std::vector<Size> areas;
   for (const AreaSample& a : history_) areas.push_back({a.area, a.void_area});
-  const Ending area = ending(start, areas), size = axisymmetric_ ? ending(start, sizes_) : area;
+  const Ending area = ending(start, areas), size = by_volume_ ? ending(start, sizes_) : area;
   const double initial = sizes_.front().contour;
 
   result.initial_area = history_.front().area;
@@ -245,7 +260,7 @@ void Cavity::finish(const State& s, RunResult& result) const {
   auto& m = result.metrics;
   m.push_back(metric(row_of(rows, "final_area_scatter_m2"), area.scatter));
   m.push_back(metric(row_of(rows, "final_area_difference_m2"), std::abs(area.difference)));
-  if (axisymmetric_) {
+  if (by_volume_) {
     m.push_back(metric(row_of(rows, "initial_volume_m3"), initial));
     m.push_back(metric(row_of(rows, "final_volume_m3"), size.mean, size.error()));
     m.push_back(metric(row_of(rows, "final_volume_scatter_m3"), size.scatter));
@@ -254,10 +269,11 @@ void Cavity::finish(const State& s, RunResult& result) const {
   m.push_back(metric(row_of(rows, "largest_collapsibility"), (initial - smallest_size_) / initial,
                      smallest_difference_ / initial));
   if (crossed_time_ < 0) {
-    m.push_back(metric(row_of(rows, "aspect_ratio"), contour_.width() / contour_.height()));
-    m.push_back(metric(row_of(rows, "lower_upper_area_ratio"), contour_.lower_upper_ratio()));
+    const Contour& form = section();
+    m.push_back(metric(row_of(rows, "aspect_ratio"), form.width() / form.height()));
+    m.push_back(metric(row_of(rows, "lower_upper_area_ratio"), form.lower_upper_ratio()));
     m.push_back(metric(row_of(rows, "centroid_shift_m"),
-                       contour_.centroid().y() - center_of_mass_height(s.particles) - initial_offset_));
+                       form.centroid().y() - center_of_mass_height(s.particles) - initial_offset_));
   } else {
     m.push_back(metric(row_of(rows, "contour_crossed_time_s"), crossed_time_));
   }
@@ -273,9 +289,10 @@ void Cavity::finish(const State& s, RunResult& result) const {
   result.area_history = history_;
 }
 
-void Cavity::carry(Archive& a) {
+template <int axes>
+void BasicCavity<axes>::carry(Archive& a) {
   Archive contour = a.part("contour"), empty = a.part("void"), jet = a.part("jet");
-  contour_.carry(contour), void_.carry(empty), jet_.carry(jet);
+  outline_.carry(contour), void_.carry(empty), jet_.carry(jet);
   a.numbers("history", history_);
   a.numbers("sizes", sizes_);
   a.number("smallest_size", smallest_size_), a.number("smallest_difference", smallest_difference_);
@@ -285,5 +302,8 @@ void Cavity::carry(Archive& a) {
   a.number("crossed_time", crossed_time_), a.number("topology_time", topology_time_);
   a.number("area_difference", area_difference_);
 }
+
+template class BasicCavity<2>;
+template class BasicCavity<3>;
 
 }  // namespace mpm

@@ -44,9 +44,9 @@ Contour::Contour(Vec2 center, double radius, double cell_size, bool half) : half
   }
 }
 
-void Contour::advance(const Grid& grid, double dt) { move_markers(markers_, grid, dt); }
+void Contour::advance(const Grid& grid, double dt) { move_markers<2>(markers_, grid, dt); }
 
-RowRange Contour::rows(const Grid& grid) const { return rows_of(markers_, grid); }
+RowRange Contour::rows(const Grid& grid) const { return rows_of<2>(markers_, grid); }
 
 std::vector<Vec2> Contour::closed() const {
   std::vector<Vec2> all = markers_;

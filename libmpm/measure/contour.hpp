@@ -1,4 +1,5 @@
 #pragma once
+#include <utility>
 #include <vector>
 
 #include "libmpm/core/archive.hpp"
@@ -13,6 +14,9 @@ class Contour {
  public:
   /// Four markers per cell along the circle. Their polygon has the circle's area exactly.
   Contour(Vec2 center, double radius, double cell_size, bool half);
+  /// Of points that are there already, as a section of a surface: counter-clockwise from the lowest, in half
+  /// a scene up to the highest.
+  Contour(std::vector<Vec2> markers, bool half) : markers_(std::move(markers)), half_(half) {}
 
   /// See move_markers.
   void advance(const Grid&, double dt);

@@ -37,9 +37,13 @@ constexpr ResultRow rows[] = {
 
 }  // namespace
 
-std::span<const ResultRow> Balance::results() { return rows; }
+template <int axes>
+std::span<const ResultRow> BasicBalance<axes>::results() {
+  return rows;
+}
 
-Energy energy_of(const Particles& ps) {
+template <int axes>
+Energy energy_of(const BasicParticles<axes>& ps) {
   Energy e;
   for (std::size_t p = 0; p < ps.size(); ++p) {
     e.kinetic += ps.kinetic_energy(p);
@@ -48,29 +52,36 @@ Energy energy_of(const Particles& ps) {
   return e;
 }
 
-Vec2 momentum_of(const Particles& ps) {
-  Vec2 sum = Vec2::Zero();
+template <int axes>
+Vec<axes> momentum_of(const BasicParticles<axes>& ps) {
+  Vec<axes> sum = Vec<axes>::Zero();
   for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.velocity[p];
   return sum;
 }
 
-Balance::Balance(const State& s)
+template <int axes>
+BasicBalance<axes>::BasicBalance(const State& s)
     : initial_energy_(energy_of(s.particles).total()),
       initial_momentum_(momentum_of(s.particles)),
       momentum_scale_(0) {
-  const Particles& ps = s.particles;
+  const auto& ps = s.particles;
   for (std::size_t p = 0; p < ps.size(); ++p) momentum_scale_ += ps.mass[p] * ps.velocity[p].norm();
 }
 
-void Balance::after_step(const State&, const StepReport& report, double) {
+template <int axes>
+void BasicBalance<axes>::after_step(const State&, const StepReport& report, double) {
   impulse_ += report.wall_impulse;
   transfer_heat_ += report.transfer_heat;
   overpressed_mass_ = std::max(overpressed_mass_, report.overpressed_mass);
 }
 
-void Balance::sample(const State& s, Observer&) { look_at(s); }
+template <int axes>
+void BasicBalance<axes>::sample(const State& s, Observer&) {
+  look_at(s);
+}
 
-void Balance::look_at(const State& s) {
+template <int axes>
+void BasicBalance<axes>::look_at(const State& s) {
   // a body at rest has neither: nothing off is no error
   const auto relative = [](double off, double scale) { return off == 0 ? 0 : off / scale; };
   const double energy = relative(std::abs(energy_of(s.particles).total() - initial_energy_), initial_energy_);
@@ -81,8 +92,9 @@ void Balance::look_at(const State& s) {
   if (!(momentum <= momentum_error_)) momentum_error_ = momentum;
 }
 
-void Balance::finish(const State& s, RunResult& result) const {
-  Balance now = *this;
+template <int axes>
+void BasicBalance<axes>::finish(const State& s, RunResult& result) const {
+  BasicBalance now = *this;
   now.look_at(s);
   result.energy_error = now.energy_error_;
   result.metrics.push_back(metric(row_of(rows, "energy_error"), now.energy_error_));
@@ -95,10 +107,18 @@ void Balance::finish(const State& s, RunResult& result) const {
   result.metrics.push_back(metric(row_of(rows, "overpressed_mass_fraction"), overpressed_mass_ / mass));
 }
 
-void Balance::carry(Archive& a) {
+template <int axes>
+void BasicBalance<axes>::carry(Archive& a) {
   a.number("impulse", impulse_), a.number("transfer_heat", transfer_heat_);
   a.number("energy_error", energy_error_), a.number("momentum_error", momentum_error_);
   a.number("overpressed_mass", overpressed_mass_);
 }
+
+template Energy energy_of(const Particles&);
+template Energy energy_of(const BasicParticles<3>&);
+template Vec2 momentum_of(const Particles&);
+template Vec3 momentum_of(const BasicParticles<3>&);
+template class BasicBalance<2>;
+template class BasicBalance<3>;
 
 }  // namespace mpm

@@ -4,15 +4,17 @@
 
 namespace mpm {
 
-/// Kinetic and internal energy of the particles [J/m].
+/// Kinetic and internal energy of the particles [J/m], of three axes [J].
 struct Energy {
   double kinetic = 0, internal = 0;
   double total() const { return kinetic + internal; }
 };
-Energy energy_of(const Particles&);
+template <int axes>
+Energy energy_of(const BasicParticles<axes>&);
 
-/// Momentum of the particles [kg/s].
-Vec2 momentum_of(const Particles&);
+/// Momentum of the particles [kg/s], of three axes [kg m/s].
+template <int axes>
+Vec<axes> momentum_of(const BasicParticles<axes>&);
 
 /// Balance of energy and momentum. Walls at rest do no work, so kinetic + internal energy is constant;
 /// momentum changes by the walls' impulse. Errors are relative to what the body had at the start (momentum:
@@ -20,10 +22,14 @@ Vec2 momentum_of(const Particles&);
 /// momentum_error, transfer_heat_fraction (kinetic energy that the transfer turned into heat, over the
 /// initial energy), final_kinetic_fraction, overpressed_mass_fraction (largest share of the mass that was
 /// beyond the range of the equation of state at one time).
-class Balance : public Measurement {
+template <int axes>
+class BasicBalance : public BasicMeasurement<axes> {
  public:
+  using State = BasicState<axes>;
+  using StepReport = BasicStepReport<axes>;
+
   static std::span<const ResultRow> results();
-  explicit Balance(const State&);
+  explicit BasicBalance(const State&);
   void after_step(const State&, const StepReport&, double dt) override;
   void sample(const State&, Observer&) override;
   void finish(const State&, RunResult&) const override;
@@ -35,12 +41,13 @@ class Balance : public Measurement {
   void look_at(const State&);
 
   double initial_energy_;
-  Vec2 initial_momentum_;
+  Vec<axes> initial_momentum_;
   double momentum_scale_;
-  Vec2 impulse_ = Vec2::Zero();
+  Vec<axes> impulse_ = Vec<axes>::Zero();
   double transfer_heat_ = 0;
   double energy_error_ = 0, momentum_error_ = 0;
   double overpressed_mass_ = 0;
 };
+using Balance = BasicBalance<2>;
 
 }  // namespace mpm

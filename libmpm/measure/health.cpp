@@ -44,28 +44,25 @@ constexpr double largest_energy_error = 0.01;
 constexpr double largest_cfl = 1;
 constexpr double largest_signal_growth = 100;
 
-bool is_finite(const Particles& ps, std::size_t p) {
+template <int axes>
+bool is_finite(const BasicParticles<axes>& ps, std::size_t p) {
   return ps.position[p].allFinite() && ps.velocity[p].allFinite() && std::isfinite(ps.dilation[p]) &&
          std::isfinite(ps.pressure[p]) && std::isfinite(ps.energy[p]);
 }
 
-bool is_inside(const Vec2& x, const Grid& grid) {
-  const Vec2 low = grid.origin() - 0.5 * grid.cell();
-  const double right = grid.origin().x() + (grid.columns() + 0.5) * grid.cell().x();
-  return x.x() > low.x() && x.x() < right && x.y() > low.y();
-}
-
 /// The particle that stands out in what is wrong.
-std::size_t worst_particle(Health::Trouble trouble, const State& s) {
-  const Particles& ps = s.particles;
+template <int axes>
+std::size_t worst_particle(typename BasicHealth<axes>::Trouble trouble, const BasicState<axes>& s) {
+  using Trouble = typename BasicHealth<axes>::Trouble;
+  const auto& ps = s.particles;
   const auto badness = [&](std::size_t p) {
     switch (trouble) {
-      case Health::Trouble::not_finite:
-        return is_finite(ps, p) ? (is_inside(ps.position[p], s.grid) ? 0.0 : 1.0) : 2.0;
-      case Health::Trouble::density:  // by how much it is beyond its end of the range
+      case Trouble::not_finite:
+        return is_finite(ps, p) ? (s.grid.holds(ps.position[p]) ? 0.0 : 1.0) : 2.0;
+      case Trouble::density:  // by how much it is beyond its end of the range
         return std::max(ps.dilation[p] / MieGrueneisen::most_dilation,
                         ps.dilation[p] / MieGrueneisen::least_dilation);
-      case Health::Trouble::pressure:
+      case Trouble::pressure:
         return ps.pressure[p];
       default:
         return ps.velocity[p].squaredNorm();
@@ -78,12 +75,13 @@ std::size_t worst_particle(Health::Trouble trouble, const State& s) {
   return worst;
 }
 
-std::string_view advice(Health::Trouble trouble) {
+template <class Trouble>
+std::string_view advice(Trouble trouble) {
   switch (trouble) {
-    case Health::Trouble::pressure:
+    case Trouble::pressure:
       return "beyond pressure_limit the equation of state means nothing: lower the speed, or take a material "
              "that is valid further";
-    case Health::Trouble::density:
+    case Trouble::density:
       return "try a smaller cfl, a smaller cell_size, or tension = \"cutoff\" where the material is torn";
     default:
       return "try a smaller cfl, or a larger linear_viscosity";
@@ -92,16 +90,21 @@ std::string_view advice(Health::Trouble trouble) {
 
 }  // namespace
 
-std::span<const ResultRow> Health::results() { return rows; }
+template <int axes>
+std::span<const ResultRow> BasicHealth<axes>::results() {
+  return rows;
+}
 
-Health::Health(const Scene& scene, const State& s, double speed)
+template <int axes>
+BasicHealth<axes>::BasicHealth(const Scene& scene, const State& s, double speed)
     : initial_energy_(energy_of(s.particles).total()),
       mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
       pressure_limit_(scene.material.pressure_limit),
       cell_(s.grid.cell().minCoeff()),
       largest_signal_(largest_signal_growth * (sound_speed_at_rest(scene.material) + speed)) {}
 
-void Health::after_step(const State&, const StepReport& report, double dt) {
+template <int axes>
+void BasicHealth<axes>::after_step(const State&, const StepReport& report, double dt) {
   overstrained_mass_ = std::max(overstrained_mass_, report.overstrained_mass);
   last_ = report;
   last_cfl_ = dt * report.largest_signal / cell_;
@@ -110,7 +113,8 @@ void Health::after_step(const State&, const StepReport& report, double dt) {
   largest_dilation_ = std::max(largest_dilation_, report.largest_dilation);
 }
 
-Health::Trouble Health::trouble(double energy_error) const {
+template <int axes>
+typename BasicHealth<axes>::Trouble BasicHealth<axes>::trouble(double energy_error) const {
   if (!std::isfinite(last_.largest_signal)) return Trouble::not_finite;
   if (last_.smallest_dilation < crushed || last_.overstrained_mass > most_beyond * mass_)
     return Trouble::density;
@@ -122,8 +126,10 @@ Health::Trouble Health::trouble(double energy_error) const {
   return Trouble::none;
 }
 
-std::string Health::describe(Trouble trouble, const State& s, double energy_error) const {
+template <int axes>
+std::string BasicHealth<axes>::describe(Trouble trouble, const State& s, double energy_error) const {
   std::ostringstream text;
+  const char* const unit = axes == 2 ? " J/m" : " J";
   switch (trouble) {
     case Trouble::none:
       return {};
@@ -150,33 +156,39 @@ std::string Health::describe(Trouble trouble, const State& s, double energy_erro
       text << "the time step was too long: CFL number " << last_cfl_ << ", allowed " << largest_cfl;
       break;
     case Trouble::growth:
-      text << "the motion grows by itself: kinetic energy " << last_.kinetic_energy << " J/m, of "
-           << initial_energy_ << " J/m that there were in all";
+      text << "the motion grows by itself: kinetic energy " << last_.kinetic_energy << unit << ", of "
+           << initial_energy_ << unit << " that there were in all";
       break;
     case Trouble::energy:
       text << "energy error " << energy_error << ", allowed " << largest_energy_error;
       break;
   }
-  const Particles& ps = s.particles;
+  const auto& ps = s.particles;
   const std::size_t p = worst_particle(trouble, s);
-  text << " (step " << s.step << ", t = " << s.time << " s; particle " << p
-       << " at x = " << ps.position[p].x() << " m, y = " << ps.position[p].y() << " m, velocity "
-       << ps.velocity[p].x() << ", " << ps.velocity[p].y() << " m/s, rho0/rho " << 1 + ps.dilation[p]
-       << ", pressure " << ps.pressure[p] << " Pa, specific energy " << ps.energy[p] << " J/kg); "
-       << advice(trouble);
+  text << " (step " << s.step << ", t = " << s.time << " s; particle " << p << " at ";
+  for (int k = 0; k < axes; ++k) text << "xyz"[k] << " = " << ps.position[p][k] << " m, ";
+  text << "velocity ";
+  for (int k = 0; k < axes; ++k) text << ps.velocity[p][k] << (k + 1 < axes ? ", " : " m/s");
+  text << ", rho0/rho " << 1 + ps.dilation[p] << ", pressure " << ps.pressure[p] << " Pa, specific energy "
+       << ps.energy[p] << " J/kg); " << advice(trouble);
   return text.str();
 }
 
-void Health::finish(const State&, RunResult& result) const {
+template <int axes>
+void BasicHealth<axes>::finish(const State&, RunResult& result) const {
   result.metrics.push_back(metric(row_of(rows, "smallest_density_ratio"), 1 / (1 + largest_dilation_)));
   result.metrics.push_back(metric(row_of(rows, "largest_density_ratio"), 1 / (1 + smallest_dilation_)));
   result.metrics.push_back(metric(row_of(rows, "overstrained_mass_fraction"), overstrained_mass_ / mass_));
   result.metrics.push_back(metric(row_of(rows, "largest_cfl"), largest_cfl_));
 }
 
-void Health::carry(Archive& a) {
+template <int axes>
+void BasicHealth<axes>::carry(Archive& a) {
   a.number("largest_cfl", largest_cfl_), a.number("overstrained_mass", overstrained_mass_);
   a.number("smallest_dilation", smallest_dilation_), a.number("largest_dilation", largest_dilation_);
 }
+
+template class BasicHealth<2>;
+template class BasicHealth<3>;
 
 }  // namespace mpm

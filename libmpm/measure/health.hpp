@@ -25,11 +25,15 @@ namespace mpm {
 /// Metrics: smallest_density_ratio, largest_density_ratio (rho/rho0 of a particle, over the run),
 /// overstrained_mass_fraction (largest share of the mass at one time), largest_cfl
 /// (dt signal / h, with the signal at the end of the step).
-class Health : public Measurement {
+template <int axes>
+class BasicHealth : public BasicMeasurement<axes> {
  public:
+  using State = BasicState<axes>;
+  using StepReport = BasicStepReport<axes>;
+
   static std::span<const ResultRow> results();
   /// `speed`: of the fastest part of the body at the start [m/s].
-  Health(const Scene&, const State&, double speed);
+  BasicHealth(const Scene&, const State&, double speed);
   void after_step(const State&, const StepReport&, double dt) override;
   void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
@@ -47,5 +51,6 @@ class Health : public Measurement {
   double last_cfl_ = 0, largest_cfl_ = 0;
   double smallest_dilation_ = 0, largest_dilation_ = 0, overstrained_mass_ = 0;
 };
+using Health = BasicHealth<2>;
 
 }  // namespace mpm

@@ -7,16 +7,18 @@ namespace mpm {
 
 /// Where the body is hottest at the end: the 99.9 percentile by mass of plastic work per volume and of
 /// temperature, and the mass centre of what lies above it (in half a scene: of the half). Metrics:
-/// hot_spot_work_J_m3, hot_spot_x_m, hot_spot_y_m, hot_spot_temperature_K.
-class HotSpots : public Measurement {
+/// hot_spot_work_J_m3, hot_spot_x_m, hot_spot_y_m, of three axes hot_spot_z_m, hot_spot_temperature_K.
+template <int axes>
+class BasicHotSpots : public BasicMeasurement<axes> {
  public:
   static std::span<const ResultRow> results();
-  explicit HotSpots(Temperature t) : temperature_(t) {}
-  void finish(const State&, RunResult&) const override;
+  explicit BasicHotSpots(Temperature t) : temperature_(t) {}
+  void finish(const BasicState<axes>&, RunResult&) const override;
   void carry(Archive&) override {}
 
  private:
   Temperature temperature_;
 };
+using HotSpots = BasicHotSpots<2>;
 
 }  // namespace mpm

@@ -31,18 +31,25 @@ constexpr ResultRow rows[] = {
 
 }  // namespace
 
-std::span<const ResultRow> Jet::results() { return rows; }
+template <int axes>
+std::span<const ResultRow> BasicJet<axes>::results() {
+  return rows;
+}
 
-Jet::Jet(const Scene& s)
+template <int axes>
+BasicJet<axes>::BasicJet(const Scene& s)
     : impact_speed_(s.impact_speed),
       side_(s.block_width / 2 - 2 * s.numerics.cell_size),
       cell_(s.numerics.cell_size) {}
 
-double Jet::shock_height(const State& s) const {
-  const Particles& ps = s.particles;
+template <int axes>
+double BasicJet<axes>::shock_height(const BasicState<axes>& s) const {
+  const auto& ps = s.particles;
   double shocked = -std::numeric_limits<double>::infinity(), highest = shocked;
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    if (std::abs(ps.position[p].x()) < side_) continue;
+    double across = std::abs(ps.position[p].x());
+    if constexpr (axes == 3) across = std::max(across, std::abs(ps.position[p].z()));
+    if (across < side_) continue;
     const double y = ps.position[p].y();
     highest = std::max(highest, y);
     if (ps.velocity[p].y() > -0.5 * impact_speed_) shocked = std::max(shocked, y);
@@ -50,9 +57,10 @@ double Jet::shock_height(const State& s) const {
   return highest - shocked < cell_ ? std::numeric_limits<double>::infinity() : shocked;
 }
 
-void Jet::sample(const State& s, const Contour& contour) {
+template <int axes>
+void BasicJet<axes>::sample(const BasicState<axes>& s, double tip, double target) {
   if (impact_time_ >= 0) return;
-  const double tip = contour.upstream_pole().y(), gap = contour.downstream_pole().y() - tip;
+  const double gap = target - tip;
   const double shock = shock_height(s);
   const double lead = tip - shock;
   if (time_ >= 0) {
@@ -73,7 +81,8 @@ void Jet::sample(const State& s, const Contour& contour) {
   lead_ = lead;
 }
 
-void Jet::finish(RunResult& result) const {
+template <int axes>
+void BasicJet<axes>::finish(RunResult& result) const {
   auto& m = result.metrics;
   m.push_back(metric(row_of(rows, "jet_speed_m_s"), speed_));
   if (led_) m.push_back(metric(row_of(rows, "jet_lead_m"), most_lead_));
@@ -81,11 +90,15 @@ void Jet::finish(RunResult& result) const {
   if (overtake_time_ >= 0) m.push_back(metric(row_of(rows, "jet_overtake_time_s"), overtake_time_));
 }
 
-void Jet::carry(Archive& a) {
+template <int axes>
+void BasicJet<axes>::carry(Archive& a) {
   a.number("time", time_), a.number("tip", tip_), a.number("gap", gap_), a.number("lead", lead_);
   a.number("speed", speed_), a.number("most_lead", most_lead_);
   a.number("impact_time", impact_time_), a.number("overtake_time", overtake_time_);
   a.integer("passed", passed_), a.integer("led", led_);
 }
+
+template class BasicJet<2>;
+template class BasicJet<3>;
 
 }  // namespace mpm

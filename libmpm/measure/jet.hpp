@@ -1,8 +1,8 @@
 #pragma once
-#include "libmpm/measure/contour.hpp"
 #include "libmpm/measure/results.hpp"
 #include "libmpm/result.hpp"
 #include "libmpm/scene/scene.hpp"
+#include "libmpm/step/state.hpp"
 
 namespace mpm {
 
@@ -14,18 +14,21 @@ namespace mpm {
 /// shock leaves has 2 u. Lead: height of the tip above the shock at the sides of the block, the largest
 /// before the impact and before that shock has left the block, counted once the shock has passed the tip;
 /// negative: the tip never overtook it. The shock: the highest particle of the outermost two columns of cells
-/// that has lost half of its speed. Metrics: jet_speed_m_s, jet_lead_m; jet_impact_time_s,
-/// jet_overtake_time_s if they happened.
-class Jet {
+/// (of three axes, and slices) that has lost half of its speed. Metrics: jet_speed_m_s, jet_lead_m;
+/// jet_impact_time_s, jet_overtake_time_s if they happened.
+template <int axes>
+class BasicJet {
  public:
   static std::span<const ResultRow> results();
-  explicit Jet(const Scene&);
-  void sample(const State&, const Contour&);
+  explicit BasicJet(const Scene&);
+  /// tip, target: heights of the two poles [m].
+  void sample(const BasicState<axes>&, double tip, double target);
   void finish(RunResult&) const;
   void carry(Archive&);
 
  private:
-  double shock_height(const State&) const;  ///< at the sides [m]; infinite once it has left the block
+  double shock_height(
+      const BasicState<axes>&) const;  ///< at the sides [m]; infinite once it has left the block
 
   double impact_speed_, side_, cell_;
   double time_ = -1, tip_ = 0, gap_ = 0, lead_ = 0;  ///< at the last sample
@@ -34,5 +37,6 @@ class Jet {
   bool passed_ = false;  ///< the shock at the sides has passed the tip
   bool led_ = false;     ///< a lead was measured
 };
+using Jet = BasicJet<2>;
 
 }  // namespace mpm

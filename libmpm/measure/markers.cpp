@@ -12,35 +12,43 @@ constexpr double light = 1e-4;
 
 }  // namespace
 
-void move_markers(std::span<Vec2> markers, const Grid& grid, double dt) {
-  for (Vec2& x : markers) {
-    const Stencil n = stencil_at<BSpline2>(grid, x, Vec2::Zero());
+template <int axes>
+void move_markers(std::span<Vec<axes>> markers, const BasicGrid<axes>& grid, double dt) {
+  using Vector = Vec<axes>;
+  using Node = BasicNode<axes>;
+  for (Vector& x : markers) {
+    const auto n = stencil_at<BSpline2>(grid, x, Vector::Zero());
     if (n.y.first < -1 || n.y.first + 4 > grid.rows())
       continue;  // beyond every particle: nothing to move with
     double heaviest = 0;
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) heaviest = std::max(heaviest, grid.at(n.x.first + i, n.y.first + j).mass);
+    n.for_each(grid,
+               [&](const Node& node, double, const Vector&) { heaviest = std::max(heaviest, node.mass); });
     if (heaviest == 0) continue;
-    Vec2 velocity = Vec2::Zero();
+    Vector velocity = Vector::Zero();
     double weight = 0;
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) {
-        const Node& node = grid.at(n.x.first + i, n.y.first + j);
-        const double w = n.weight(i, j) * std::min(1.0, node.mass / (light * heaviest));
-        weight += w;
-        velocity += w * node.velocity;
-      }
+    n.for_each(grid, [&](const Node& node, double share, const Vector&) {
+      const double w = share * std::min(1.0, node.mass / (light * heaviest));
+      weight += w;
+      velocity += w * node.velocity;
+    });
     if (weight > 0) x += (dt / weight) * velocity;
   }
 }
 
-RowRange rows_of(std::span<const Vec2> markers, const Grid& grid) {
-  const auto [low, high] = std::minmax_element(markers.begin(), markers.end(),
-                                               [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
-  const auto row = [&](const Vec2& x) {
+template <int axes>
+RowRange rows_of(std::span<const Vec<axes>> markers, const BasicGrid<axes>& grid) {
+  using Vector = Vec<axes>;
+  const auto [low, high] = std::minmax_element(
+      markers.begin(), markers.end(), [](const Vector& a, const Vector& b) { return a.y() < b.y(); });
+  const auto row = [&](const Vector& x) {
     return nearest_node((x.y() - grid.origin().y()) * grid.inverse_cell().y());
   };
   return {row(*low) - 1, row(*high) + 1};
 }
+
+template void move_markers(std::span<Vec2>, const Grid&, double);
+template void move_markers(std::span<Vec3>, const BasicGrid<3>&, double);
+template RowRange rows_of(std::span<const Vec2>, const Grid&);
+template RowRange rows_of(std::span<const Vec3>, const BasicGrid<3>&);
 
 }  // namespace mpm

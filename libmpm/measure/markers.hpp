@@ -14,8 +14,10 @@ namespace mpm {
 /// (imploding shell: single markers off by a fifth of the radius). Weighting all nodes by mass would be
 /// steady too, but moves markers with the material half a cell inside: 4 % of the stop radius at 20 cells.
 /// Checked by tests/verification/imploding_shell_test.cpp.
-void move_markers(std::span<Vec2> markers, const Grid&, double dt);
+template <int axes>
+void move_markers(std::span<Vec<axes>> markers, const BasicGrid<axes>&, double dt);
 /// Rows of nodes that move_markers reads.
-RowRange rows_of(std::span<const Vec2> markers, const Grid&);
+template <int axes>
+RowRange rows_of(std::span<const Vec<axes>> markers, const BasicGrid<axes>&);
 
 }  // namespace mpm

@@ -53,9 +53,13 @@ double slope(const std::vector<double>& x, const std::vector<double>& y) {
 
 }  // namespace
 
-std::span<const ResultRow> PlanarShock::results() { return rows; }
+template <int axes>
+std::span<const ResultRow> BasicPlanarShock<axes>::results() {
+  return rows;
+}
 
-PlanarShock::PlanarShock(const Scene& s, const State& state)
+template <int axes>
+BasicPlanarShock<axes>::BasicPlanarShock(const Scene& s, const State& state)
     : height_(s.block_height), impact_speed_(s.impact_speed) {
   // Uniaxial strain: sigma = (K + 4G/3) eps up to q = 2 G eps = Y.
   const Material& m = s.material;
@@ -65,12 +69,16 @@ PlanarShock::PlanarShock(const Scene& s, const State& state)
   elastic_speed_ = std::sqrt(longitudinal / m.reference_density);
 
   const auto& x = state.particles.position;
-  double column = x[0].x();
-  for (const Vec2& p : x)
-    if (std::abs(p.x()) < std::abs(column)) column = p.x();
+  Vec<axes> column = x[0];  // nearest to the middle
+  for (const Vec<axes>& p : x)
+    for (int k = 0; k < axes; ++k)
+      if (std::abs(p[k]) < std::abs(column[k])) column[k] = p[k];
   std::vector<std::size_t> all;
-  for (std::size_t p = 0; p < x.size(); ++p)
-    if (x[p].x() == column) all.push_back(p);
+  for (std::size_t p = 0; p < x.size(); ++p) {
+    bool there = x[p].x() == column.x();
+    if constexpr (axes == 3) there &= x[p].z() == column.z();
+    if (there) all.push_back(p);
+  }
   std::sort(all.begin(), all.end(), [&](std::size_t a, std::size_t b) { return x[a].y() < x[b].y(); });
   top_ = all.back();
   const std::size_t stride = (all.size() + most_gauges - 1) / most_gauges;
@@ -82,20 +90,23 @@ PlanarShock::PlanarShock(const Scene& s, const State& state)
   watched_.push_back(top_);
 }
 
-void PlanarShock::after_step(const State& s, const StepReport&, double) {
-  const Particles& ps = s.particles;
+template <int axes>
+void BasicPlanarShock<axes>::after_step(const State& s, const StepReport&, double) {
+  const auto& ps = s.particles;
   times_.push_back(s.time);
   top_speed_.push_back(ps.velocity[top_].y() + impact_speed_);
   for (const std::size_t p : gauges_)
     readings_.push_back({-ps.stress(p).yy, ps.pressure[p], von_mises(ps.deviator[p])});
 }
 
-std::size_t PlanarShock::first_gauge_above(double height) const {
+template <int axes>
+std::size_t BasicPlanarShock<axes>::first_gauge_above(double height) const {
   return static_cast<std::size_t>(std::lower_bound(gauge_height_.begin(), gauge_height_.end(), height) -
                                   gauge_height_.begin());
 }
 
-double PlanarShock::arrival(std::size_t gauge, double stress) const {
+template <int axes>
+double BasicPlanarShock<axes>::arrival(std::size_t gauge, double stress) const {
   for (std::size_t k = 1; k < times_.size(); ++k) {
     const double before = readings_[(k - 1) * gauges_.size() + gauge].normal_stress;
     const double after = readings_[k * gauges_.size() + gauge].normal_stress;
@@ -107,7 +118,8 @@ double PlanarShock::arrival(std::size_t gauge, double stress) const {
   return -1;
 }
 
-double PlanarShock::front_speed(double stress) const {
+template <int axes>
+double BasicPlanarShock<axes>::front_speed(double stress) const {
   std::vector<double> heights, arrivals;
   for (std::size_t g = first_gauge_above(0.5 * height_); g < first_gauge_above(0.8 * height_); ++g) {
     const double t = arrival(g, stress);
@@ -118,7 +130,8 @@ double PlanarShock::front_speed(double stress) const {
   return heights.size() < 2 ? 0 : 1 / slope(heights, arrivals);
 }
 
-double PlanarShock::stress_at(std::size_t gauge, double time) const {
+template <int axes>
+double BasicPlanarShock<axes>::stress_at(std::size_t gauge, double time) const {
   const auto after = std::upper_bound(times_.begin() + 1, times_.end() - 1, time);
   const auto k = static_cast<std::size_t>(after - times_.begin());
   const double left = readings_[(k - 1) * gauges_.size() + gauge].normal_stress;
@@ -126,7 +139,8 @@ double PlanarShock::stress_at(std::size_t gauge, double time) const {
   return left + (right - left) * (time - times_[k - 1]) / (times_[k] - times_[k - 1]);
 }
 
-double PlanarShock::stress_between(double elastic_level, double plastic_level) const {
+template <int axes>
+double BasicPlanarShock<axes>::stress_between(double elastic_level, double plastic_level) const {
   constexpr int parts = 40, width = 4;
   double sum = 0, count = 0;
   for (std::size_t g = first_gauge_above(0.7 * height_); g < first_gauge_above(0.8 * height_); ++g) {
@@ -144,7 +158,8 @@ double PlanarShock::stress_between(double elastic_level, double plastic_level) c
   return count > 0 ? sum / count : 0;
 }
 
-void PlanarShock::finish(const State&, RunResult& result) const {
+template <int axes>
+void BasicPlanarShock<axes>::finish(const State&, RunResult& result) const {
   if (times_.size() < 2) return;
   const std::size_t low = first_gauge_above(0.15 * height_), high = first_gauge_above(0.45 * height_),
                     watch = first_gauge_above(0.6 * height_);
@@ -208,8 +223,12 @@ void PlanarShock::finish(const State&, RunResult& result) const {
   }
 }
 
-void PlanarShock::carry(Archive& a) {
+template <int axes>
+void BasicPlanarShock<axes>::carry(Archive& a) {
   a.numbers("times", times_), a.numbers("top_speed", top_speed_), a.numbers("readings", readings_);
 }
+
+template class BasicPlanarShock<2>;
+template class BasicPlanarShock<3>;
 
 }  // namespace mpm

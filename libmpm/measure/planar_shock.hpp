@@ -20,10 +20,14 @@ namespace mpm {
 /// half a transit after its arrival at the top. Metrics: shock_normal_stress_Pa, shock_pressure_Pa,
 /// shock_von_mises_Pa, plateau_noise, plastic_wave_speed_m_s, elastic_wave_speed_m_s,
 /// elastic_limit_stress_Pa, free_surface_speed_m_s; each only if the run lasted long enough to show it.
-class PlanarShock : public Measurement {
+template <int axes>
+class BasicPlanarShock : public BasicMeasurement<axes> {
  public:
+  using State = BasicState<axes>;
+  using StepReport = BasicStepReport<axes>;
+
   static std::span<const ResultRow> results();
-  PlanarShock(const Scene&, const State&);
+  BasicPlanarShock(const Scene&, const State&);
   void after_step(const State&, const StepReport&, double dt) override;
   std::span<const std::size_t> watched() const override { return watched_; }
   void finish(const State&, RunResult&) const override;
@@ -53,5 +57,6 @@ class PlanarShock : public Measurement {
   std::vector<double> top_speed_;  ///< of the free surface against the moving body [m/s]
   std::vector<Reading> readings_;  ///< step by step, gauge by gauge
 };
+using PlanarShock = BasicPlanarShock<2>;
 
 }  // namespace mpm

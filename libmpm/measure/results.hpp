@@ -3,7 +3,7 @@
 /// Study files, ladders, intervals, figures, SQL and the catalog's page are made from it. A measurement has
 /// its rows in its own file, beside the code that measures; kinds of scene name their measurements
 /// (kinds/kind.hpp). Checked by tests/runner/study/result_names_test.cpp, which runs every kind of scene.
-#include <array>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <span>
@@ -19,6 +19,16 @@ namespace mpm {
 enum class Needs {
   nothing,
   ejection,  ///< decides = "ejection"
+};
+
+/// Spaces that have a result; all of them, where nothing is said.
+struct SpaceSet {
+  unsigned bits = ~0u;
+  constexpr SpaceSet() = default;
+  constexpr SpaceSet(std::initializer_list<Space> spaces) : bits(0) {
+    for (const Space space : spaces) bits |= 1u << static_cast<unsigned>(space);
+  }
+  constexpr bool operator()(Space space) const { return (bits >> static_cast<unsigned>(space)) & 1u; }
 };
 
 /// One number of a job.
@@ -37,16 +47,11 @@ struct ResultRow {
   /// What an accuracy is relative to: the absolute value, but no less than this.
   double least_scale = 0;
   Needs needs = Needs::nothing;
-  std::optional<Space> space = {};     ///< the only one that has it
+  SpaceSet spaces = {};
   bool always = true;                  ///< false: some runs do not show it, as an event that did not happen
   bool metric = true;                  ///< whether it is one of RunResult::metrics, and in the view `metrics`
   bool column = false;                 ///< whether it is a column of the view `jobs`
   std::string_view error_column = "";  ///< of the view `jobs`, that has its interval
-  /// Results that are the two parts of its measuring error, which are added in quadrature: how far two
-  /// measurements of it differ, and how it scatters in time.
-  std::string_view difference = "", scatter = "";
-  /// It is 1 - final / initial of one of these: of the first that the job has.
-  std::array<std::string_view, 2> lost_share_of = {};
   /// Means nothing where the view `jobs` has `flags`: the cavity is no closed hole at the end.
   bool of_closed_cavity = false;
   KindSet belongs_to = {};  ///< filled in by results()

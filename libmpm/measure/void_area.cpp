@@ -47,92 +47,165 @@ Part empty_part(const double (&corner)[4]) {
   return {0.5 * area2, moment6 / 6};
 }
 
+/// The share of a tetrahedron where what is linear between its corners is below 1/2.
+double empty_share(std::array<double, 4> corner) {
+  std::ranges::sort(corner);
+  const auto [a, b, c, d] = corner;
+  const auto way = [](double from, double to) { return (half_full - from) / (to - from); };
+  if (a >= half_full) return 0;
+  if (b >= half_full) return way(a, b) * way(a, c) * way(a, d);
+  if (c >= half_full) {  // the wedge of the edge ab as three tetrahedra
+    const double ac = way(a, c), ad = way(a, d), bc = way(b, c), bd = way(b, d);
+    return ac * ad + (1 - ac) * ad * bc + (1 - ad) * bc * bd;
+  }
+  if (d >= half_full) return 1 - (1 - way(a, d)) * (1 - way(b, d)) * (1 - way(c, d));
+  return 1;
+}
+
+/// The same of a cube, whose corner number k is at (k & 1, k >> 1 & 1, k >> 2): six tetrahedra around the
+/// diagonal from 0 to 7.
+double empty_part(const std::array<double, 8>& corner) {
+  constexpr int ways[6][2] = {{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}};
+  double sum = 0;
+  for (const auto& [a, b] : ways)
+    sum += empty_share(
+        {corner[0], corner[static_cast<std::size_t>(a)], corner[static_cast<std::size_t>(b)], corner[7]});
+  return sum / 6;
+}
+
+/// Calls use(node, weight) for the nodes that a point reaches.
+template <class Use>
+void each_weight(const ProductStencil<3, 2>& n, Use use) {
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) use(std::array{n.x.first + i, n.y.first + j}, n.weight(i, j));
+}
+template <class Use>
+void each_weight(const ProductStencil<3, 3>& n, Use use) {
+  for (int j = 0; j < 3; ++j)
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i)
+        use(std::array{n.x.first + i, n.z.first + k, n.y.first + j},
+            n.x.value[i] * (n.y.value[j] * n.z.value[k]));
+}
+
+std::array<int, 2> last_nodes(const Grid& g, int rows) { return {g.columns(), rows}; }
+std::array<int, 3> last_nodes(const BasicGrid<3>& g, int rows) { return {g.columns(), g.slices(), rows}; }
+
 }  // namespace
 
-Indicator indicator_of(const State& s, int points_per_particle) {
-  const Grid& g = s.grid;
-  const Particles& ps = s.particles;
+template <int axes>
+BasicIndicator<axes> indicator_of(const BasicState<axes>& s, int points_per_particle) {
+  using Node = typename BasicIndicator<axes>::Node;
+  const auto& g = s.grid;
+  const auto& ps = s.particles;
   double highest = g.origin().y();
-  for (const Vec2& x : ps.position) highest = std::max(highest, x.y());
+  for (const Vec<axes>& x : ps.position) highest = std::max(highest, x.y());
   const int rows = static_cast<int>((highest - g.origin().y()) * g.inverse_cell().y()) + 4;
-  const int stride = g.columns() + 3;
-  std::vector<double> raw(static_cast<std::size_t>(stride * (rows + 3)), 0.0);  // one ghost layer around
-  const auto at = [&](int i, int j) -> double& {
-    return raw[static_cast<std::size_t>((j + 1) * stride + i + 1)];
+  BasicIndicator<axes> field{last_nodes(g, rows), g.cell(), {}};
+
+  // with a layer of ghosts around: node -1 is the first
+  BasicIndicator<axes> raw = field;
+  for (int& last : raw.last) last += 2;
+  std::size_t count = 1;
+  for (int axis = 0; axis < axes; ++axis) count *= static_cast<std::size_t>(raw.nodes(axis));
+  raw.fraction.assign(count, 0.0);
+  const auto at = [&](Node n) -> double& {
+    for (int& k : n) ++k;
+    return raw.fraction[raw.index(n)];
   };
 
-  const double inverse = g.inverse_cell().x() * g.inverse_cell().y();
+  const double inverse = g.inverse_cell().prod();
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    const double share = area(s, p) * inverse / points_per_particle;
+    const double share = filled(s, p) * inverse / points_per_particle;
     for (int k = 0; k < points_per_particle; ++k) {
-      Vec2 x = ps.position[p];
-      if (points_per_particle == 4)
-        x += 0.5 * Vec2(k % 2 ? 1 : -1, k / 2 ? 1 : -1).cwiseProduct(ps.half_size[p]);
-      const Stencil n = stencil_at<BSpline2>(g, x, Vec2::Zero());
-      for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) at(n.x.first + i, n.y.first + j) += share * n.weight(i, j);
+      Vec<axes> x = ps.position[p];
+      if (points_per_particle > 1)
+        for (int axis = 0; axis < axes; ++axis)
+          x[axis] += 0.5 * ((k >> axis) % 2 ? 1 : -1) * ps.half_size[p][axis];
+      each_weight(stencil_at<BSpline2>(g, x, Vec<axes>::Zero()),
+                  [&](const Node& n, double w) { at(n) += share * w; });
     }
   }
-  const int right = g.columns();
-  for (int j = -1; j <= rows; ++j) {
-    at(0, j) *= 2;
-    at(1, j) += at(-1, j);
-    at(right, j) *= 2;
-    at(right - 1, j) += at(right + 1, j);
+  // what lies behind the mirrors at the first and, of all axes but y, at the last node
+  for (int axis = 0; axis < axes; ++axis) {
+    const int wall = field.last[static_cast<std::size_t>(axis)];
+    for (std::size_t k = 0; k < count; ++k) {
+      Node n = raw.node(k);
+      for (int& i : n) --i;
+      int& i = n[static_cast<std::size_t>(axis)];
+      const auto fold = [&](int mirror, int inwards) {
+        if (i == mirror) at(n) *= 2;
+        if (i != mirror + inwards) return;
+        Node image = n;
+        image[static_cast<std::size_t>(axis)] = mirror - inwards;
+        at(n) += at(image);
+      };
+      fold(0, 1);
+      if (axis + 1 < axes) fold(wall, -1);
+    }
   }
-  Indicator field{g.columns(), rows, g.cell(), {}};
-  field.fraction.reserve(static_cast<std::size_t>((right + 1) * (rows + 1)));
-  for (int j = 0; j <= rows; ++j)
-    for (int i = 0; i <= right; ++i)
-      field.fraction.push_back(j == 0 ? 2 * at(i, 0) : j == 1 ? at(i, 1) + at(i, -1) : at(i, j));
+  std::size_t nodes = 1;
+  for (int axis = 0; axis < axes; ++axis) nodes *= static_cast<std::size_t>(field.nodes(axis));
+  field.fraction.reserve(nodes);
+  for (std::size_t k = 0; k < nodes; ++k) field.fraction.push_back(at(field.node(k)));
   return field;
 }
 
-VoidArea::VoidArea(Vec2 center, double radius, bool full_width, int particles_per_cell)
+template <int axes>
+BasicVoidArea<axes>::BasicVoidArea(const Vec<axes>& center, double radius, bool full, int particles_per_cell)
     : center_(center),
       radius_(radius),
-      full_width_(full_width),
-      points_per_particle_(particles_per_cell == 1 ? 4 : 1),
-      points_per_cell_(points_per_particle_ * particles_per_cell) {}
-
-/// Empty nodes of the cavity at the start; later, empty nodes of or beside the last region.
-void VoidArea::seed(const Indicator& f, const Vec2& origin, std::vector<char>& region) const {
-  for (int j = 0; j <= f.rows; ++j)
-    for (int i = 0; i <= f.columns; ++i) {
-      if (f.at(i, j) >= half_full) continue;
-      bool inside = false;
-      if (!started_) {
-        const Vec2 x = origin + Vec2(i * f.cell.x(), j * f.cell.y());
-        inside = (x - center_).norm() < radius_;
-      } else {
-        for (int dj = -1; dj <= 1; ++dj)
-          for (int di = -1; di <= 1; ++di) {
-            const int a = i + di, b = j + dj;
-            if (a < 0 || b < 0 || a > previous_columns_ || b > previous_rows_) continue;
-            inside |= previous_[static_cast<std::size_t>(b * (previous_columns_ + 1) + a)] != 0;
-          }
-      }
-      if (inside) region[static_cast<std::size_t>(j * (f.columns + 1) + i)] = 1;
-    }
-}
+      full_(full),
+      points_per_particle_(particles_per_cell > 1 ? 1 : 1 << axes),
+      points_per_edge_square_(axes == 2 ? points_per_particle_ * particles_per_cell
+                                        : static_cast<int>(std::lround(std::pow(
+                                              std::cbrt(points_per_particle_ * particles_per_cell), 2)))) {}
 
 namespace {
 
+/// The place of a node [m].
+Vec2 place_of(const BasicIndicator<2>& f, const Vec2& origin, const std::array<int, 2>& n) {
+  return origin + Vec2(n[0] * f.cell.x(), n[1] * f.cell.y());
+}
+Vec3 place_of(const BasicIndicator<3>& f, const Vec3& origin, const std::array<int, 3>& n) {
+  return origin + Vec3(n[0] * f.cell.x(), n[2] * f.cell.y(), n[1] * f.cell.z());
+}
+/// From a vertical line [m].
+double beside(const Vec2& x, const Vec2& line) { return std::abs(x.x() - line.x()); }
+double beside(const Vec3& x, const Vec3& line) { return std::hypot(x.x() - line.x(), x.z() - line.z()); }
+
+/// Calls use(node) for the nodes around and at this one, and beyond the ends.
+template <std::size_t axes, class Use>
+void each_around(const std::array<int, axes>& node, Use use) {
+  int count = 1;
+  for (std::size_t axis = 0; axis < axes; ++axis) count *= 3;
+  for (int k = 0; k < count; ++k) {
+    std::array<int, axes> n = node;
+    for (int rest = k; int& i : n) i += rest % 3 - 1, rest /= 3;
+    use(n);
+  }
+}
+
 /// Marks all empty nodes that are connected to the marked ones; returns how many are marked in all.
-int spread(const Indicator& f, std::vector<char>& region, std::vector<int> front) {
-  const int stride = f.columns + 1;
+template <int axes>
+int spread(const BasicIndicator<axes>& f, std::vector<char>& region, std::vector<std::size_t> front) {
   int count = static_cast<int>(front.size());
   while (!front.empty()) {
-    const int k = front.back(), i = k % stride, j = k / stride;
+    const std::size_t k = front.back();
+    const auto node = f.node(k);
     front.pop_back();
-    const int neighbours[4][2] = {{i - 1, j}, {i + 1, j}, {i, j - 1}, {i, j + 1}};
-    for (const auto& [a, b] : neighbours) {
-      if (a < 0 || b < 0 || a > f.columns || b > f.rows) continue;
-      char& mark = region[static_cast<std::size_t>(b * stride + a)];
-      if (mark || f.at(a, b) >= half_full) continue;
-      mark = 1;
-      ++count;
-      front.push_back(b * stride + a);
+    std::size_t stride = 1;
+    for (int axis = 0; axis < axes; ++axis) {
+      const int i = node[static_cast<std::size_t>(axis)];
+      const auto visit = [&](std::size_t next) {
+        if (region[next] || !f.empty(next)) return;
+        region[next] = 1;
+        ++count;
+        front.push_back(next);
+      };
+      if (i > 0) visit(k - stride);
+      if (i + 1 < f.nodes(axis)) visit(k + stride);
+      stride *= static_cast<std::size_t>(f.nodes(axis));
     }
   }
   return count;
@@ -140,87 +213,187 @@ int spread(const Indicator& f, std::vector<char>& region, std::vector<int> front
 
 /// Empty regions of `smallest` nodes or more that reach neither the topmost row, which is above every
 /// particle, nor the lowest, where a body leaves the wall.
-int count_closed(const Indicator& f) {
-  constexpr int smallest = 4;
+template <int axes>
+int count_closed(const BasicIndicator<axes>& f) {
+  constexpr int smallest = 1 << axes;
   std::vector<char> seen(f.fraction.size(), 0);
-  std::vector<int> outside;
-  for (int k = 0; k < static_cast<int>(seen.size()); ++k) {
-    const int row = k / (f.columns + 1);
-    if ((row > 0 && row < f.rows) || f.fraction[static_cast<std::size_t>(k)] >= half_full) continue;
-    seen[static_cast<std::size_t>(k)] = 1;
+  std::vector<std::size_t> outside;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const int row = f.node(k)[axes - 1];
+    if ((row > 0 && row < f.rows()) || !f.empty(k)) continue;
+    seen[k] = 1;
     outside.push_back(k);
   }
   spread(f, seen, std::move(outside));
   int regions = 0;
   for (std::size_t k = 0; k < seen.size(); ++k) {
-    if (seen[k] || f.fraction[k] >= half_full) continue;
+    if (seen[k] || !f.empty(k)) continue;
     seen[k] = 1;
-    regions += spread(f, seen, {static_cast<int>(k)}) >= smallest;
+    regions += spread(f, seen, {k}) >= smallest;
   }
   return regions;
 }
 
 }  // namespace
 
-double VoidArea::update(const State& s) {
-  const Indicator f = indicator_of(s, points_per_particle_);
-  const int stride = f.columns + 1;
-  std::vector<char> region(f.fraction.size(), 0);
-  seed(f, s.grid.origin(), region);
-
-  std::vector<int> front;
-  for (std::size_t k = 0; k < region.size(); ++k)
-    if (region[k]) front.push_back(static_cast<int>(k));
-  spread(f, region, std::move(front));
-  closed_regions_ = count_closed(f);
-
-  joined_outside_ = touches_wall_ = false;
-  bool any = false;
-  for (int i = 0; i <= f.columns; ++i) {
-    joined_outside_ |= region[static_cast<std::size_t>(f.rows * stride + i)] != 0;
-    if (!region[static_cast<std::size_t>(i)]) continue;
-    touches_wall_ = true;
-    const double x = s.grid.origin().x() + i * f.cell.x();
-    joined_outside_ |= std::abs(x - center_.x()) > radius_ + cells_beside_wall * f.cell.x();
+/// Empty nodes of the cavity at the start; later, empty nodes of or beside the last region.
+template <int axes>
+void BasicVoidArea<axes>::seed(const Indicator& f, const Vec<axes>& origin, std::vector<char>& region) const {
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    if (!f.empty(k)) continue;
+    bool inside = false;
+    if (!started_) {
+      inside = (place_of(f, origin, f.node(k)) - center_).norm() < radius_;
+    } else {
+      each_around(f.node(k), [&](const typename Indicator::Node& n) {
+        for (int axis = 0; axis < axes; ++axis)
+          if (n[static_cast<std::size_t>(axis)] < 0 || n[static_cast<std::size_t>(axis)] >= f.nodes(axis))
+            return;
+        const std::size_t near = f.index(n);  // rows come last: there may have been fewer
+        inside |= near < previous_.size() && previous_[near] != 0;
+      });
+    }
+    if (inside) region[k] = 1;
   }
-  double cells = 0, radial_cells = 0;  // the latter times their distance from x = 0, in cells
-  int lowest = f.rows, highest = 0;    // rows of cells that the region has a part of
-  for (int j = 0; j < f.rows; ++j)
-    for (int i = 0; i < f.columns; ++i) {
-      const int at[4][2] = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
+}
+
+namespace {
+
+/// The part of a region in a plane, in cells.
+struct Section {
+  double area = 0, radial = 0;  ///< the latter times its distance from x = 0
+  int lowest, highest = 0;      ///< rows of cells that the region has a part of
+};
+
+/// index(i, j): of a node of the plane.
+template <class Index>
+Section section_of(const std::vector<double>& fraction, const std::vector<char>& region, int columns,
+                   int rows, Index index) {
+  Section sum{.lowest = rows};
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const std::size_t at[4] = {index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)};
       double corner[4];
       bool mine = false;
       for (int k = 0; k < 4; ++k) {
-        corner[k] = f.at(at[k][0], at[k][1]);
-        mine |= region[static_cast<std::size_t>(at[k][1] * stride + at[k][0])] != 0;
+        corner[k] = fraction[at[k]];
+        mine |= region[at[k]] != 0;
       }
-      any |= mine;
       if (!mine) continue;
       const Part part = empty_part(corner);
-      cells += part.area;
-      radial_cells += i * part.area + part.moment_x;
-      lowest = std::min(lowest, j), highest = std::max(highest, j);
+      sum.area += part.area;
+      sum.radial += i * part.area + part.moment_x;
+      sum.lowest = std::min(sum.lowest, j), sum.highest = std::max(sum.highest, j);
     }
-  started_ = true;
-  previous_ = std::move(region);
-  previous_columns_ = f.columns;
-  previous_rows_ = f.rows;
-  volume_ = 0;
-  if (!any) return 0;
-  const double variance = 1.0 / 4 + 1.0 / 6 - 1.0 / (12.0 * points_per_cell_);
-  const double closed = joined_outside_ ? 0 : touches_wall_ ? 0.5 : 1;
-  const double height = highest - lowest;
-  const double cell = f.cell.x() * f.cell.y();
-  volume_ = 2 * pi * (radial_cells + 0.5 * closed * variance * height) * cell * f.cell.x();
-  return ((full_width_ ? 1 : 2) * cells + closed * pi * variance) * cell;
+  return sum;
 }
 
-void VoidArea::carry(Archive& a) {
+/// The part of a region in space, in cells.
+struct Body3 {
+  double volume = 0;
+  std::array<int, 3> first, last{};  ///< cells that the region has a part of, along x, z, y
+};
+
+Body3 body_of(const BasicIndicator<3>& f, const std::vector<char>& region) {
+  Body3 sum{.first = f.last};
+  std::array<std::size_t, 8> offset{};
+  for (std::size_t k = 0; k < 8; ++k)
+    offset[k] = f.index({static_cast<int>(k & 1), static_cast<int>(k >> 1 & 1), static_cast<int>(k >> 2)});
+  for (int j = 0; j < f.last[2]; ++j)
+    for (int k = 0; k < f.last[1]; ++k)
+      for (int i = 0; i < f.last[0]; ++i) {
+        const std::size_t low = f.index({i, k, j});
+        std::array<double, 8> corner;
+        bool mine = false;
+        for (std::size_t c = 0; c < 8; ++c) {
+          corner[c] = f.fraction[low + offset[c]];
+          mine |= region[low + offset[c]] != 0;
+        }
+        if (!mine) continue;
+        sum.volume += empty_part(corner);
+        const std::array<int, 3> cell = {i, k, j};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          sum.first[axis] = std::min(sum.first[axis], cell[axis]);
+          sum.last[axis] = std::max(sum.last[axis], cell[axis]);
+        }
+      }
+  return sum;
+}
+
+}  // namespace
+
+/// `variance`: s^2, in cells; `closed`: which share of a closed surface the region has.
+template <>
+double BasicVoidArea<2>::measure(const Indicator& f, const std::vector<char>& region, double variance,
+                                 double closed) {
+  const Section section = section_of(f.fraction, region, f.last[0], f.rows(), [&](int i, int j) {
+    return f.index({i, j});
+  });
+  const double height = section.highest - section.lowest;
+  const double cell = f.cell.x() * f.cell.y();
+  volume_ = 2 * pi * (section.radial + 0.5 * closed * variance * height) * cell * f.cell.x();
+  return ((full_ ? 1 : 2) * section.area + closed * pi * variance) * cell;
+}
+
+template <>
+double BasicVoidArea<3>::measure(const Indicator& f, const std::vector<char>& region, double variance,
+                                 double closed) {
+  const Body3 body = body_of(f, region);
+  const auto extent = [&](std::size_t axis) {
+    const bool halved = !full_ && axis < 2;
+    return halved ? 2 * (body.last[axis] + 0.5) : body.last[axis] - body.first[axis];
+  };
+  const double mean_width = (extent(0) + extent(1) + extent(2)) / 3;
+  volume_ = ((full_ ? 1 : 4) * body.volume + 2 * pi * closed * variance * mean_width) * f.cell.prod();
+  const int middle = full_ ? f.last[1] / 2 : 0;
+  const Section section = section_of(f.fraction, region, f.last[0], f.rows(), [&](int i, int j) {
+    return f.index({i, middle, j});
+  });
+  return ((full_ ? 1 : 2) * section.area + 2 * pi * closed * variance) * f.cell.x() * f.cell.y();
+}
+
+template <int axes>
+double BasicVoidArea<axes>::update(const BasicState<axes>& s) {
+  const Indicator f = indicator_of(s, points_per_particle_);
+  std::vector<char> region(f.fraction.size(), 0);
+  seed(f, s.grid.origin(), region);
+
+  std::vector<std::size_t> front;
+  for (std::size_t k = 0; k < region.size(); ++k)
+    if (region[k]) front.push_back(k);
+  const bool any = spread(f, region, std::move(front)) > 0;
+  closed_regions_ = count_closed(f);
+
+  joined_outside_ = touches_wall_ = false;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    if (!region[k]) continue;
+    const auto node = f.node(k);
+    joined_outside_ |= node[axes - 1] == f.rows();
+    if (node[axes - 1] != 0) continue;
+    touches_wall_ = true;
+    joined_outside_ |=
+        beside(place_of(f, s.grid.origin(), node), center_) > radius_ + cells_beside_wall * f.cell.x();
+  }
+  volume_ = 0;
+  const double variance = 1.0 / 4 + 1.0 / 6 - 1.0 / (12.0 * points_per_edge_square_);
+  const double closed = joined_outside_ ? 0 : touches_wall_ ? 0.5 : 1;
+  const double area = any ? measure(f, region, variance, closed) : 0;
+  started_ = true;
+  previous_ = std::move(region);
+  return area;
+}
+
+template <int axes>
+void BasicVoidArea<axes>::carry(Archive& a) {
   a.integer("started", started_), a.integer("joined_outside", joined_outside_);
   a.integer("touches_wall", touches_wall_), a.integer("closed_regions", closed_regions_);
   a.number("volume", volume_);
-  a.integer("columns", previous_columns_), a.integer("rows", previous_rows_);
   a.integers("region", previous_);
 }
+
+template BasicIndicator<2> indicator_of(const State&, int);
+template BasicIndicator<3> indicator_of(const BasicState<3>&, int);
+template class BasicVoidArea<2>;
+template class BasicVoidArea<3>;
 
 }  // namespace mpm

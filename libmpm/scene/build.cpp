@@ -1,21 +1,36 @@
 #include "libmpm/scene/build.hpp"
 
-#include <cmath>
-
 #include "libmpm/body/fill.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 
 namespace mpm {
 
-Lattice lattice_of(const Scene& s) { return kind_of(s).lattice(s); }
+namespace {
 
-State build_state(const Scene& s) {
+State nothing_yet(const Scene& s, const Lattice& l, Floor floor) {
+  return empty_state(l.origin, l.cell, l.columns, floor, s.space);
+}
+BasicState<3> nothing_yet(const Scene&, const BasicLattice<3>& l, Floor floor) {
+  return empty_state(l.origin, l.cell, l.columns, l.slices, floor);
+}
+
+}  // namespace
+
+template <int axes>
+BasicLattice<axes> lattice_of(const Scene& s) {
+  return kind_of(s).in<axes>().lattice(s);
+}
+
+template <int axes>
+BasicState<axes> build_state(const Scene& s) {
   const Kind& kind = kind_of(s);
-  const Lattice l = kind.lattice(s);
-  const int side = static_cast<int>(std::lround(std::sqrt(s.numerics.particles_per_cell)));
-  State state = empty_state(l.origin, l.cell, l.columns, kind.floor(s), s.space);
-  state.particles.reserve(static_cast<std::size_t>(l.columns * l.rows * side * side));
-  fill_rows(state, kind.body(s, l), s.material.reference_density, side, l.empty_rows, l.rows);
+  const BasicLattice<axes> l = lattice_of<axes>(s);
+  BasicState<axes> state = nothing_yet(s, l, kind.floor(s));
+  const auto cells =
+      static_cast<std::size_t>(l.columns * l.rows) * static_cast<std::size_t>(axes == 2 ? 1 : l.slices);
+  state.particles.reserve(cells * static_cast<std::size_t>(s.numerics.particles_per_cell));
+  fill_rows(state, kind.in<axes>().body(s, l), s.material.reference_density,
+            particles_per_edge(s.numerics, axes), l.empty_rows, l.rows);
   state.particles.keep(state_columns(s.material));
   return state;
 }
@@ -25,5 +40,10 @@ double initial_speed(const Scene& s) { return kind_of(s).fastest(s); }
 MaterialModel build_material(const Scene& s) {
   return {s.material, {s.numerics.linear_viscosity, s.numerics.quadratic_viscosity, s.numerics.cell_size}};
 }
+
+template Lattice lattice_of(const Scene&);
+template BasicLattice<3> lattice_of(const Scene&);
+template State build_state(const Scene&);
+template BasicState<3> build_state(const Scene&);
 
 }  // namespace mpm

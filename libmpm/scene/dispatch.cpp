@@ -20,32 +20,29 @@ namespace mpm {
 namespace {
 
 template <ShapeFunctions Shape, class Space>
-std::unique_ptr<Stepper> reference_stepper_in(const Scene& s) {
-  if (s.numerics.transfer == Transfer::apic)
-    return std::make_unique<ReferenceStepper<Shape, Apic, Space>>(build_material(s));
-  const double f = s.numerics.pic_fraction;
-  if (f == 0) return std::make_unique<ReferenceStepper<Shape, Flip, Space>>(build_material(s));
-  return std::make_unique<ReferenceStepper<Shape, FlipPic, Space>>(build_material(s), FlipPic{f});
-}
-
-template <ShapeFunctions Shape>
-std::unique_ptr<Stepper> reference_stepper_on(const Scene& s) {
-  return space::with_space(s.space, [&]<class Space>(Space) -> std::unique_ptr<Stepper> {
-    if constexpr (!Space::has_hoop || HoopShape<Shape>) return reference_stepper_in<Shape, Space>(s);
+std::unique_ptr<BasicStepper<Space::axes>> reference_stepper_in(const Scene& s) {
+  if constexpr (!ShapeIn<Shape, Space>) {
     throw std::logic_error("a scheme that this space does not have");
-  });
+  } else {
+    if (s.numerics.transfer == Transfer::apic)
+      return std::make_unique<ReferenceStepper<Shape, Apic, Space>>(build_material(s));
+    const double f = s.numerics.pic_fraction;
+    if (f == 0) return std::make_unique<ReferenceStepper<Shape, Flip, Space>>(build_material(s));
+    return std::make_unique<ReferenceStepper<Shape, FlipPic, Space>>(build_material(s), FlipPic{f});
+  }
 }
 
-std::unique_ptr<Stepper> reference_stepper(const Scene& s) {
+template <class Space>
+std::unique_ptr<BasicStepper<Space::axes>> reference_stepper(const Scene& s) {
   switch (s.numerics.scheme) {
     case ShapeFunction::gimp:
-      return reference_stepper_on<Gimp>(s);
+      return reference_stepper_in<Gimp, Space>(s);
     case ShapeFunction::bspline2:
-      return reference_stepper_on<BSpline2>(s);
+      return reference_stepper_in<BSpline2, Space>(s);
     case ShapeFunction::cpdi:
-      return reference_stepper_on<Cpdi>(s);
+      return reference_stepper_in<Cpdi, Space>(s);
     case ShapeFunction::bspline3:
-      return reference_stepper_on<BSpline3>(s);
+      return reference_stepper_in<BSpline3, Space>(s);
   }
   throw std::logic_error("a scheme that is not compiled");
 }
@@ -65,25 +62,37 @@ std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
 
 }  // namespace
 
-bool fast_step_has(const Numerics& n) {
-  return (n.scheme == ShapeFunction::gimp || n.scheme == ShapeFunction::bspline2) &&
+bool fast_step_has(const Scene& s) {
+  const Numerics& n = s.numerics;
+  return s.space != Space::three_d &&
+         (n.scheme == ShapeFunction::gimp || n.scheme == ShapeFunction::bspline2) &&
          n.transfer == Transfer::flip && n.pic_fraction == 0;
 }
 
-std::unique_ptr<Stepper> stepper_for(const Scene& s) {
+template <>
+std::unique_ptr<Stepper> stepper_for<2>(const Scene& s) {
   switch (s.numerics.kernel) {
     case Kernel::fast:
       return fast_stepper(s);
     case Kernel::reference:
-      return reference_stepper(s);
+      return space::with_space(s.space, [&]<class Space>(Space) { return reference_stepper<Space>(s); });
   }
   throw std::logic_error("a kernel that is not compiled");
 }
 
-std::vector<std::unique_ptr<Measurement>> measurements_for(const Scene& s, const State& state) {
-  Measurements all = kind_of(s).measurements(s, state);
-  all.push_back(std::make_unique<HotSpots>(Temperature(s.material)));
+template <>
+std::unique_ptr<BasicStepper<3>> stepper_for<3>(const Scene& s) {
+  return reference_stepper<space::ThreeD>(s);
+}
+
+template <int axes>
+BasicMeasurements<axes> measurements_for(const Scene& s, const BasicState<axes>& state) {
+  BasicMeasurements<axes> all = kind_of(s).in<axes>().measurements(s, state);
+  all.push_back(std::make_unique<BasicHotSpots<axes>>(Temperature(s.material)));
   return all;
 }
+
+template BasicMeasurements<2> measurements_for(const Scene&, const State&);
+template BasicMeasurements<3> measurements_for(const Scene&, const BasicState<3>&);
 
 }  // namespace mpm

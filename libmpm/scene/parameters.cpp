@@ -28,7 +28,7 @@ constexpr Quantity common_quantities[] = {
      P, positive, required, "", FIELD(end_time)},
     {"cell_size", "m", "h", "cell_size_m", "edge of a grid cell",
      N, positive, required, "", FIELD(numerics.cell_size)},
-    {"particles_per_cell", "1", "", "particles_per_cell", "particles per cell: 1, 4, 9 or 16",
+    {"particles_per_cell", "1", "", "particles_per_cell", "particles per cell: 1, 4, 9 or 16; in three-d 1, 8 or 27",
      N, Range::count, optional, "",
      [](const S& s) -> double { return s.numerics.particles_per_cell; },
      [](S& s, double v) { s.numerics.particles_per_cell = static_cast<int>(v); }},
@@ -53,8 +53,9 @@ constexpr auto scheme_words = words<ShapeFunction>({{ShapeFunction::gimp, "gimp"
                                                     {ShapeFunction::bspline3, "bspline3"}});
 constexpr auto transfer_words = words<Transfer>({{Transfer::flip, "flip"}, {Transfer::apic, "apic"}});
 constexpr auto symmetry_words = words<Symmetry>({{Symmetry::half, "half"}, {Symmetry::full, "full"}});
-constexpr auto space_words =
-    words<Space>({{Space::plane_strain, "plane-strain"}, {Space::axisymmetric, "axisymmetric"}});
+constexpr auto space_words = words<Space>({{Space::plane_strain, "plane-strain"},
+                                           {Space::axisymmetric, "axisymmetric"},
+                                           {Space::three_d, "three-d"}});
 constexpr auto kernel_words = words<Kernel>({{Kernel::fast, "fast"}, {Kernel::reference, "reference"}});
 constexpr auto precision_words =
     words<Precision>({{Precision::double_precision, "double"}, {Precision::single_precision, "float"}});
@@ -64,14 +65,18 @@ constexpr auto precision_words =
       [](S& s, std::size_t i) { s.member = static_cast<decltype(s.member)>(i); }
 
 constexpr Choice common_choices[] = {
-    {"space", "space", "plane strain, or axial symmetry about x = 0: circles are spheres, blocks cylinders",
+    {"space", "space",
+     "plane strain; axial symmetry about x = 0: circles are spheres, blocks cylinders; or three dimensions: "
+     "circles are spheres, blocks as deep as wide",
      Section::top, space_words, CHOICE(space), "plane-strain"},
     {"scheme", "scheme", "shape functions", N, scheme_words, CHOICE(numerics.scheme)},
     {"transfer", "transfer",
      "how particles and grid exchange velocities: acceleration, or velocity and gradient", N, transfer_words,
      CHOICE(numerics.transfer), "flip"},
-    {"symmetry", "symmetry", "model half of the scene (a quarter of a shell) or all of it", N, symmetry_words,
-     CHOICE(numerics.symmetry)},
+    {"symmetry", "symmetry",
+     "model half of the scene (a quarter of a shell; in three-d a quarter, of a shell an octant) or all of "
+     "it",
+     N, symmetry_words, CHOICE(numerics.symmetry)},
     {"kernel", "kernel", "code that takes the steps: the fast one, or the plain one that it is held against",
      N, kernel_words, CHOICE(numerics.kernel)},
     {"precision", "precision", "numbers of the fast step; the reference step has double only", N,

@@ -11,7 +11,8 @@
 namespace mpm {
 
 /// What is simulated: the names of kinds/list.hpp. x = 0 is a mirror axis of the configuration, in
-/// axisymmetry its axis: circles are spheres, and blocks are cylinders whose diameter is their width. Nothing
+/// axisymmetry its axis: circles are spheres, and blocks are cylinders whose diameter is their width. Of
+/// three axes z = 0 is a mirror, too: circles are spheres, and blocks are as deep as they are wide. Nothing
 /// outside kinds/ asks a scene for its kind: what is special about one stands in its Kind (kinds/kind.hpp).
 enum class SceneKind {
 #define MPM_ENUMERATOR(name) name,
@@ -34,7 +35,8 @@ enum class Transfer {
 
 /// How much of the configuration is modelled.
 enum class Symmetry {
-  half,  ///< x >= 0; of a shell, which has a second mirror at y = 0, the quarter x, y >= 0
+  half,  ///< x >= 0; of a shell, which has a second mirror at y = 0, the quarter x, y >= 0. Of three axes
+         ///< what of these lies at z >= 0: the quarter of a block, the octant of a shell
   full,  ///< all of it
 };
 
@@ -53,7 +55,7 @@ enum class Precision {
 /// How a scene is computed. Make one with default_numerics(), which knows what suits a kind of scene.
 struct Numerics {
   double cell_size = 0;        ///< h [m]
-  int particles_per_cell = 0;  ///< 1, 4, 9 or 16, on a square lattice
+  int particles_per_cell = 0;  ///< 1, 4, 9 or 16, on a square lattice; of three axes 1, 8 or 27
   ShapeFunction scheme = ShapeFunction::bspline2;
   Transfer transfer = Transfer::flip;
   Symmetry symmetry = Symmetry::half;
@@ -104,11 +106,12 @@ struct Scene {
   Measures measures;
 };
 
-/// Whether the fast step knows the scheme and the transfer; if not, the kernel must be the reference.
-bool fast_step_has(const Numerics&);
+/// Whether the fast step knows the space, the scheme and the transfer; if not, the kernel must be the
+/// reference.
+bool fast_step_has(const Scene&);
 
 /// The numerics that a kind of scene uses where a study says nothing (cell_size stays 0: it must be said).
-Numerics default_numerics(SceneKind);
+Numerics default_numerics(SceneKind, Space = Space::plane_strain);
 
 /// One thing that is wrong with a scene, in words that a user can act on.
 struct Problem {

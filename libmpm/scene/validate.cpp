@@ -32,14 +32,18 @@ void check_ranges(const Scene& s, Report& report, const Wanted& wanted) {
 void check_numerics(const Scene& s, Report& report) {
   const Numerics& n = s.numerics;
   const int k = n.particles_per_cell;
-  report.require(k == 1 || k == 4 || k == 9 || k == 16, "particles_per_cell", "1, 4, 9 or 16");
+  if (s.space == Space::three_d)
+    report.require(k == 1 || k == 8 || k == 27, "particles_per_cell", "1, 8 or 27 when space is \"three-d\"");
+  else
+    report.require(k == 1 || k == 4 || k == 9 || k == 16, "particles_per_cell", "1, 4, 9 or 16");
   report.require(n.cfl <= 1, "cfl", "more than 0, at most 1");
   report.require(n.pic_fraction <= 1, "pic_fraction", "from 0 to 1");
   if (n.transfer == Transfer::apic)
     report.require(n.pic_fraction == 0, "pic_fraction", "0 with transfer = \"apic\"");
-  if (n.kernel == Kernel::fast && !fast_step_has(n))
+  if (n.kernel == Kernel::fast && !fast_step_has(s))
     report.add_choice("kernel",
-                      "\"reference\": the fast step has scheme = \"gimp\" and \"bspline2\", transfer = "
+                      "\"reference\": the fast step has space = \"plane-strain\" and \"axisymmetric\", "
+                      "scheme = \"gimp\" and \"bspline2\", transfer = "
                       "\"flip\", pic_fraction = 0");
   if (s.space == Space::axisymmetric) {
     if (n.scheme != ShapeFunction::gimp && n.scheme != ShapeFunction::bspline2)
@@ -49,6 +53,10 @@ void check_numerics(const Scene& s, Report& report) {
                      "4 or 16 with scheme = \"bspline2\" when space is \"axisymmetric\"");
     if (n.symmetry != Symmetry::half)
       report.add_choice("symmetry", "\"half\" when space is \"axisymmetric\": the axis is a mirror");
+  }
+  if (s.space == Space::three_d) {
+    if (n.scheme == ShapeFunction::cpdi)
+      report.add_choice("scheme", "\"gimp\", \"bspline2\" or \"bspline3\" when space is \"three-d\"");
   }
   const Material& m = s.material;
   report.require(m.poissons_ratio < 0.5, "poissons_ratio", "0 or more, less than 0.5");
@@ -68,9 +76,10 @@ void check_choices(const Scene& s, Report& report) {
 /// count of cells becomes an integer.
 void check_size(const Scene& s, Report& report) {
   constexpr double most_particles = 1e9;
-  const auto [width, height] = kind_of(s).extent(s);
+  const auto [width, height, depth] = kind_of(s).extent(s);
   const double h = s.numerics.cell_size;
-  const double particles = width / h * (height / h) * s.numerics.particles_per_cell;
+  const double slices = s.space == Space::three_d ? depth / h : 1;
+  const double particles = width / h * (height / h) * slices * s.numerics.particles_per_cell;
   report.require(particles <= most_particles, "cell_size",
                  "large enough for at most 1e9 particles (these would be " + text_of(particles) + ")");
   // The fast step keeps the number of a particle's node beside its position. Room for the block to double.
@@ -90,9 +99,13 @@ void check_length(const Scene& s, Report& report) {
 
 }  // namespace
 
-Numerics default_numerics(SceneKind kind) {
+Numerics default_numerics(SceneKind kind, Space space) {
   Numerics n;
   kind_of(kind).set_default_numerics(n);
+  if (space == Space::three_d) {
+    n.particles_per_cell = static_cast<int>(std::lround(std::pow(n.particles_per_cell, 1.5)));
+    n.kernel = Kernel::reference;
+  }
   n.quadratic_viscosity = 1.5;
   n.cfl = 0.4;
   return n;
@@ -102,6 +115,10 @@ std::vector<Problem> find_problems(const Scene& s) {
   Report report(s);
   check_ranges(s, report, [&](const Quantity& q) { return q.belongs_to(s.kind); });
   if (!report.empty()) return report.take();  // what follows compares numbers that have to be numbers
+  if (s.space == Space::three_d && !kind_of(s).of_three_axes.body)
+    report.add_choice("space", "\"plane-strain\" or \"axisymmetric\": " + std::string(kind_of(s).name) +
+                                   " is not there in three dimensions");
+  if (!report.empty()) return report.take();
   check_numerics(s, report);
   check_choices(s, report);
   check_size(s, report);
@@ -117,8 +134,9 @@ bool of_all_kinds(const Quantity& q) {
                              [&](std::string_view name) { return q.belongs_to(*scene_kind_from(name)); });
 }
 
-void check_body(const Scene& s, const State& body, Report& report) {
-  const Particles& ps = body.particles;
+template <int axes>
+void check_body(const Scene& s, const BasicState<axes>& body, Report& report) {
+  const auto& ps = body.particles;
   const std::size_t n = ps.size();
   const auto require = [&](bool fine, std::string value, std::string allowed) {
     if (!fine) report.add_other("body", std::move(value), std::move(allowed));
@@ -133,18 +151,17 @@ void check_body(const Scene& s, const State& body, Report& report) {
     if (size != n)
       return report.add_other("body", text_of(static_cast<double>(size)) + " values in a column",
                               "one value for each of its " + text_of(static_cast<double>(n)) + " particles");
-  const Grid& grid = body.grid;
-  const Vec2 low = grid.origin() - 0.5 * grid.cell();
-  const double right = grid.origin().x() + (grid.columns() + 0.5) * grid.cell().x();
+  const auto& grid = body.grid;
   for (std::size_t p = 0; p < n; ++p) {
-    const Vec2& x = ps.position[p];
-    const bool inside = x.x() > (s.space == Space::axisymmetric ? 0 : low.x()) && x.x() < right &&
-                        x.y() > low.y() && std::isfinite(x.y());
+    const Vec<axes>& x = ps.position[p];
+    const bool inside =
+        grid.holds(x) && std::isfinite(x.y()) && (s.space != Space::axisymmetric || x.x() > 0);
     const bool material = ps.mass[p] > 0 && ps.volume(p) > 0 && ps.velocity[p].allFinite();
     if (inside && material) continue;
     return report.add_other("body",
                             "particle " + text_of(static_cast<double>(p)) + " at x = " + text_of(x.x()) +
-                                " m, y = " + text_of(x.y()) + " m",
+                                " m, y = " + text_of(x.y()) + " m" +
+                                (axes == 3 ? ", z = " + text_of(x[axes - 1]) + " m" : ""),
                             inside ? "of positive mass and volume, with a finite velocity"
                                    : "in the grid, above its floor and between its sides");
   }
@@ -155,7 +172,8 @@ void check_body(const Scene& s, const State& body, Report& report) {
 
 }  // namespace
 
-std::vector<Problem> find_problems(const Scene& s, const State& body) {
+template <int axes>
+std::vector<Problem> find_problems(const Scene& s, const BasicState<axes>& body) {
   Report report(s);
   check_ranges(s, report, of_all_kinds);
   if (!report.empty()) return report.take();
@@ -166,6 +184,9 @@ std::vector<Problem> find_problems(const Scene& s, const State& body) {
   return report.take();
 }
 
+template std::vector<Problem> find_problems(const Scene&, const State&);
+template std::vector<Problem> find_problems(const Scene&, const BasicState<3>&);
+
 /// The largest int64_t below 2^63 for what is larger, 0 for what is no number: a speed of 1e300 m/s has steps
 /// that no integer counts.
 static std::int64_t whole_number(double value) {
@@ -173,11 +194,23 @@ static std::int64_t whole_number(double value) {
   return value > 0 ? static_cast<std::int64_t>(std::min(value, most)) : 0;
 }
 
+namespace {
+
+/// What an estimate asks of the lattice.
+struct Lattices {
+  double particles, smallest_cell;
+};
+template <int axes>
+Lattices lattice_numbers(const Scene& s) {
+  const BasicLattice<axes> lattice = lattice_of<axes>(s);
+  const double per_cell = static_cast<double>(s.numerics.particles_per_cell) / lattice.cell.prod();
+  return {kind_of(s).in<axes>().size(s, lattice) * per_cell, lattice.cell.minCoeff()};
+}
+
+}  // namespace
+
 Estimate estimate(const Scene& s) {
-  const Lattice lattice = lattice_of(s);
-  const double area = kind_of(s).area(s, lattice);
-  const double per_cell =
-      static_cast<double>(s.numerics.particles_per_cell) / (lattice.cell.x() * lattice.cell.y());
+  const Lattices lattice = axes_of(s.space) == 2 ? lattice_numbers<2>(s) : lattice_numbers<3>(s);
   const Material& m = s.material;
   const double sound = sound_speed_at_rest(m);
   // Behind the shock sound is faster by about 2 lambda u, and the body moves. Some material is always being
@@ -185,11 +218,11 @@ Estimate estimate(const Scene& s) {
   const double q = s.numerics.linear_viscosity;
   const double signal =
       (q + std::sqrt(q * q + 1)) * (sound + 2 * m.hugoniot_slope * initial_speed(s)) + initial_speed(s);
-  const double step = s.numerics.cfl * std::min(lattice.cell.x(), lattice.cell.y()) / signal;
+  const double step = s.numerics.cfl * lattice.smallest_cell / signal;
   // Samples are hit exactly, by a whole number of steps from one to the next.
   const double samples = s.end_time / s.measures.area_every;
   const double per_sample = std::ceil(s.measures.area_every / step);
-  return {whole_number(area * per_cell), whole_number(per_sample * samples)};
+  return {whole_number(lattice.particles), whole_number(per_sample * samples)};
 }
 
 }  // namespace mpm

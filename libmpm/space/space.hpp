@@ -5,12 +5,14 @@
 
 namespace mpm {
 
-/// The spaces of two axes.
 enum class Space {
   plane_strain,  ///< x, y; nothing moves or changes along z. Volumes, masses and energies are per depth
   axisymmetric,  ///< x is the distance from the axis of symmetry, y runs along it. Volumes, masses and
                  ///< energies are per radian: a body of revolution has 2 pi times as much
+  three_d,       ///< x, y, z. Volumes, masses and energies are whole
 };
+
+constexpr int axes_of(Space space) { return space == Space::three_d ? 3 : 2; }
 
 /// What two lengths are to two, and three lengths to three: an area, or a volume per radian.
 constexpr int lengths_in_volume(Space space) { return space == Space::plane_strain ? 2 : 3; }
@@ -56,6 +58,7 @@ struct Axisymmetric {
 };
 
 struct ThreeD {
+  static constexpr Space value = Space::three_d;
   static constexpr int axes = 3;
   static constexpr bool has_hoop = false;
   template <class N>

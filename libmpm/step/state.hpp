@@ -36,8 +36,8 @@ struct BasicState {
   double time = 0;                           ///< [s]
   std::int64_t step = 0;
   Floor floor = Floor::impact_wall;  ///< what y = origin of the grid is
-  /// Of two axes; in axisymmetry x = 0, the axis, is the left side of the grid.
-  Space space = Space::plane_strain;
+  /// In axisymmetry x = 0, the axis, is the left side of the grid.
+  Space space = axes == 3 ? Space::three_d : Space::plane_strain;
   std::vector<double>
       hoop_rate{};  ///< v_r / r of each particle, over the last step [1/s]; empty without hoop
   /// Row of nodes along which there is a mirror above the body, for the plain step.
@@ -50,5 +50,9 @@ inline double area(const State& s, std::size_t p) {
   const double volume = s.particles.volume(p);
   return s.space == Space::axisymmetric ? volume / s.particles.position[p].x() : volume;
 }
+
+/// What a particle fills of the grid's cells: an area [m^2], of three axes a volume [m^3].
+inline double filled(const State& s, std::size_t p) { return area(s, p); }
+inline double filled(const BasicState<3>& s, std::size_t p) { return s.particles.volume(p); }
 
 }  // namespace mpm

@@ -26,9 +26,9 @@ std::vector<AccuracyScheme> schemes_for(const mpm::Scene& scene) {
       scheme.is_default = k == shapes.get(scene) && particles == scene.numerics.particles_per_cell;
       all.push_back(scheme);
       scheme.is_default = false;
-      mpm::Numerics numerics = scene.numerics;
-      numerics.scheme = static_cast<mpm::ShapeFunction>(k);
-      if (mpm::fast_step_has(numerics)) {
+      mpm::Scene changed = scene;
+      changed.numerics.scheme = static_cast<mpm::ShapeFunction>(k);
+      if (mpm::fast_step_has(changed)) {
         scheme.precision = "float";
         all.push_back(scheme);
         scheme.precision = "double";
@@ -58,7 +58,7 @@ mpm::Scene scene_of(const AccuracyProblem& problem, const AccuracyRow& row) {
   choose(scene, "precision", row.scheme.precision);
   scene.numerics.particles_per_cell = row.scheme.particles_per_cell;
   scene.numerics.cell_size = row.cell_size;
-  if (!mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
+  if (!mpm::fast_step_has(scene)) scene.numerics.kernel = mpm::Kernel::reference;
   return scene;
 }
 

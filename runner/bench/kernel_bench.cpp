@@ -109,7 +109,7 @@ KernelBench bench_kernel(const KernelBenchOptions& options) {
     for (const std::int64_t wanted : options.particles) {
       mpm::Scene scene = strong_cavity(wanted);
       schemes.set(scene, scheme);
-      if (!mpm::fast_step_has(scene.numerics)) continue;
+      if (!mpm::fast_step_has(scene)) continue;
       if (options.elastic) scene.material.yield_stress = std::numeric_limits<double>::infinity();
       scene.material.kinematic_fraction = options.kinematic ? 0.5 : 0;
       std::vector<Walk> fast;
@@ -178,7 +178,7 @@ std::vector<WholeRunRow> bench_whole_run(const KernelBenchOptions& options) {
         mpm::Scene scene = strong_cavity(wanted);
         schemes.set(scene, scheme);
         precisions.set(scene, precision);
-        if (!mpm::fast_step_has(scene.numerics)) continue;
+        if (!mpm::fast_step_has(scene)) continue;
         Walk walk(scene);
         WholeRunRow row{std::string(schemes.allowed[scheme]),
                         std::string(precisions.allowed[precision]),

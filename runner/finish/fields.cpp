@@ -6,12 +6,29 @@
 #include "libmpm/io/fields.hpp"
 
 namespace mpmstudy {
+namespace {
+
+/// Edge of a particle's section [m].
+double edge_of(const mpm::Snapshot& s, std::size_t p) {
+  const double volume = s.mass[p] / s.density[p];
+  return s.has_depth() ? std::cbrt(volume) : std::sqrt(volume);
+}
+
+}  // namespace
+
+/// Of three axes the particles that are nearest to z = 0: less than their own edge away.
 analysis::Particles particles_of(const mpm::Snapshot& s, const std::string& field) {
   const mpm::Field* row = mpm::find_field(field);
   if (!row) throw std::runtime_error("a snapshot has no field " + field);
-  analysis::Particles particles{s.x, s.y, {}, s.*row->values};
-  for (std::size_t p = 0; p < s.mass.size(); ++p)
-    particles.size.push_back(std::sqrt(s.mass[p] / s.density[p]));
+  const std::vector<double>& values = s.*row->values;
+  if (values.size() != s.x.size()) throw std::runtime_error("a snapshot of two axes has no field " + field);
+  analysis::Particles particles;
+  for (std::size_t p = 0; p < s.x.size(); ++p) {
+    const double edge = edge_of(s, p);
+    if (s.has_depth() && !(std::abs(s.z[p]) < edge)) continue;
+    particles.x.push_back(s.x[p]), particles.y.push_back(s.y[p]);
+    particles.size.push_back(edge), particles.value.push_back(values[p]);
+  }
   return particles;
 }
 

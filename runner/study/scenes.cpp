@@ -19,6 +19,8 @@ constexpr double default_area_samples = 320;
 /// After so many jobs with problems the rest would tell a user nothing new.
 constexpr int most_bad_jobs = 20;
 
+constexpr std::string_view space_name = "space";
+
 constexpr std::size_t not_swept = static_cast<std::size_t>(-1);
 
 struct Assignment {
@@ -30,8 +32,8 @@ struct Assignment {
   }
 };
 
-/// The material first, then in the order of the parameter table, quantities first: later rows may be made of
-/// earlier ones.
+/// The material and the space first, which bring numbers of their own, then in the order of the parameter
+/// table, quantities first: later rows may be made of earlier ones.
 std::vector<Assignment> assignments(const SceneRequest& request) {
   std::vector<Assignment> unordered;
   std::size_t column = 0;
@@ -42,8 +44,10 @@ std::vector<Assignment> assignments(const SceneRequest& request) {
       if (one.axis->name() == name) ordered.push_back(one);
   };
   take(mpm::material_choice().name);
+  take(space_name);
   for (const mpm::Quantity& row : mpm::quantities()) take(row.name);
-  for (const mpm::Choice& row : mpm::choices()) take(row.name);
+  for (const mpm::Choice& row : mpm::choices())
+    if (row.name != space_name) take(row.name);
   return ordered;
 }
 
@@ -177,8 +181,9 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
         one.axis->quantity->set(scene, value);
       else
         one.axis->choice->set(scene, static_cast<std::size_t>(value));
+      if (one.axis->name() == space_name) scene.numerics = mpm::default_numerics(scene.kind, scene.space);
     }
-    if (!names_kernel && !mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
+    if (!names_kernel && !mpm::fast_step_has(scene)) scene.numerics.kernel = mpm::Kernel::reference;
     if (request.ladder.finds_cell) scene.numerics.cell_size = coarsest_cell(scene);
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
     if (scene.measures.detached_for == 0) scene.measures.detached_for = mpm::default_detached_for(scene);

@@ -21,6 +21,15 @@ TEST(Scale, SphericalCollapse) {
   EXPECT_THAT(differing_when_scaled(s, 1024), IsEmpty());
 }
 
+TEST(Scale, CollapseOfThreeAxes) {
+  mpm::Scene s = scenes::cavity(0.5e-6);
+  s.space = mpm::Space::three_d;
+  s.block_width = 5e-6;
+  s.numerics = mpm::default_numerics(s.kind, s.space);
+  s.numerics.cell_size = 0.5e-6;
+  EXPECT_THAT(differing_when_scaled(s, 1024), IsEmpty());
+}
+
 TEST(Scale, StrongCollapse) {
   mpm::Scene s = scenes::cavity(0.2e-6);
   s.impact_speed = 1120;

@@ -29,7 +29,8 @@ std::vector<std::uint64_t> bits_of(const mpm::RunResult& r) {
 std::vector<std::uint64_t> bits_of(const std::vector<mpm::Snapshot>& snapshots) {
   std::vector<std::uint64_t> bits;
   for (const auto& s : snapshots)
-    for (const auto* column : {&s.x, &s.velocity_y, &s.density, &s.pressure, &s.stress_xy, &s.temperature})
+    for (const auto* column :
+         {&s.x, &s.z, &s.velocity_y, &s.stress_yz, &s.density, &s.pressure, &s.stress_xy, &s.temperature})
       for (const double v : *column) bits.push_back(std::bit_cast<std::uint64_t>(v));
   return bits;
 }
@@ -112,6 +113,29 @@ TEST_F(Checkpoint, of_a_sphere) {
   s.numerics.scheme = mpm::ShapeFunction::gimp;
   expect_same_bits(s);
   EXPECT_EQ(checked, 4) << "fast and reference";
+}
+
+TEST_F(Checkpoint, of_three_axes) {
+  mpm::Scene s = collapse();
+  s.space = mpm::Space::three_d;
+  s.block_width = 5e-6;
+  s.end_time = 1e-9;
+  s.measures.snapshots = {0.5e-9};
+  s.material.kinematic_fraction = 0.5;
+  s.numerics = mpm::default_numerics(s.kind, s.space);
+  s.numerics.cell_size = 0.5e-6;
+  expect_same_bits(s);
+  s.numerics.transfer = mpm::Transfer::apic;
+  s.numerics.particles_per_cell = 1;
+  s.numerics.scheme = mpm::ShapeFunction::gimp;
+  expect_same_bits(s);
+  s = scenes::shell(300, 0.35e-6);
+  s.space = mpm::Space::three_d;
+  const double cell = s.numerics.cell_size;
+  s.numerics = mpm::default_numerics(s.kind, s.space);
+  s.numerics.cell_size = cell;
+  expect_same_bits(s);
+  EXPECT_EQ(checked, 3) << "the reference alone";
 }
 
 TEST_F(Checkpoint, of_a_cavity_in_full_width) {

@@ -106,10 +106,13 @@ TEST(Kinds, AreEachWhole) {
     ASSERT_TRUE(headline) << kind->name;
     EXPECT_TRUE(headline->belongs_to(kind->kind) && headline->has_interval) << kind->name;
     for (const auto function :
-         {kind->area != nullptr, kind->body != nullptr, kind->check != nullptr,
-          kind->coarsest_cell != nullptr, kind->extent != nullptr, kind->fastest != nullptr,
-          kind->floor != nullptr, kind->lattice != nullptr, kind->measurements != nullptr,
-          kind->parts != nullptr, kind->set_default_numerics != nullptr})
+         {kind->of_two_axes.size != nullptr, kind->of_two_axes.body != nullptr,
+          kind->of_two_axes.lattice != nullptr, kind->of_two_axes.measurements != nullptr,
+          kind->of_three_axes.size != nullptr, kind->of_three_axes.body != nullptr,
+          kind->of_three_axes.lattice != nullptr, kind->of_three_axes.measurements != nullptr,
+          kind->check != nullptr, kind->coarsest_cell != nullptr, kind->extent != nullptr,
+          kind->fastest != nullptr, kind->floor != nullptr, kind->parts != nullptr,
+          kind->set_default_numerics != nullptr})
       EXPECT_TRUE(function) << kind->name;
   }
 }

@@ -36,7 +36,7 @@ Outcome turning(mpm::Transfer transfer) {
   const double omega = speed / half, turns = 100;
   mpm::Scene scene = frame(2 * speed, 0.2 * um, turns * 2 * std::numbers::pi / omega);
   scene.numerics.transfer = transfer;
-  if (!mpm::fast_step_has(scene.numerics)) scene.numerics.kernel = mpm::Kernel::reference;
+  if (!mpm::fast_step_has(scene)) scene.numerics.kernel = mpm::Kernel::reference;
   scene.material.yield_stress = std::numeric_limits<double>::infinity();
   mpm::State s = nothing({-2 * um, 0}, {0.2 * um, 0.2 * um}, 20);
   const Vec2 center(0, 2 * um);

@@ -151,7 +151,7 @@ Wave wave(ShapeFunction shape, int side, double viscosity, double drift) {
   w.scene.numerics.scheme = shape;
   w.scene.numerics.particles_per_cell = side * side;
   w.scene.numerics.linear_viscosity = viscosity;
-  if (!mpm::fast_step_has(w.scene.numerics)) w.scene.numerics.kernel = mpm::Kernel::reference;
+  if (!mpm::fast_step_has(w.scene)) w.scene.numerics.kernel = mpm::Kernel::reference;
   return w;
 }
 

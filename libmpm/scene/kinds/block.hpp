@@ -19,9 +19,18 @@ inline constexpr Quantity height{
 void check(const Scene&, Report&);
 Extent extent(const Scene&);
 /// Cells are stretched by less than half a cell in all so that walls and free surface lie on nodes.
-Lattice lattice(const Scene&);
+template <int axes>
+BasicLattice<axes> lattice(const Scene&);
 Floor floor(const Scene&);
-double area(const Scene&, const Lattice&);
+template <int axes>
+double size(const Scene&, const BasicLattice<axes>&);
+/// Along the impact.
+template <int axes>
+Vec<axes> velocity(double upwards) {
+  Vec<axes> v = Vec<axes>::Zero();
+  v.y() = upwards;
+  return v;
+}
 double fastest(const Scene&);
 /// On the Hugoniot at impact_speed [Pa].
 double shock_pressure(const Scene&);

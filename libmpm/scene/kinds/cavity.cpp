@@ -56,10 +56,15 @@ void check(const Scene& s, Report& report) {
   report.require(y + r <= s.block_height + slack, "cavity_center_height",
                  "at most block_height - cavity_radius (" + text_of(s.block_height - r) +
                      " m): the cavity leaves the block above");
+  if (s.space == Space::three_d && s.measures.decides == Decides::ejection)
+    report.add_choice("decides", "\"collapse\" when space is \"three-d\"");
 }
 
-double hole(const Scene& s, const Lattice& l) {
-  return std::numbers::pi * s.cavity_radius * s.cavity_radius * (l.width / s.block_width);
+template <int axes>
+double hole(const Scene& s, const BasicLattice<axes>& l) {
+  const double circle = std::numbers::pi * s.cavity_radius * s.cavity_radius,
+               modelled = l.width / s.block_width;
+  return axes == 2 ? circle * modelled : 4 * s.cavity_radius / 3 * circle * (modelled * modelled);
 }
 
 double coarsest_cell(const Scene& s) {
@@ -74,11 +79,18 @@ std::vector<Part> parts(const Scene& s) {
           {"the cavity", "cavity_radius", 2 * r}};
 }
 
-Measurements measurements(const Scene& s, const State& state, bool open_below) {
-  Measurements all;
-  all.push_back(std::make_unique<Cavity>(s, state, open_below));
-  if (s.measures.decides == Decides::ejection) all.push_back(std::make_unique<Ejection>(s, state));
+template <int axes>
+BasicMeasurements<axes> measurements(const Scene& s, const BasicState<axes>& state, bool open_below) {
+  BasicMeasurements<axes> all;
+  all.push_back(std::make_unique<BasicCavity<axes>>(s, state, open_below));
+  if constexpr (axes == 2)
+    if (s.measures.decides == Decides::ejection) all.push_back(std::make_unique<Ejection>(s, state));
   return all;
 }
+
+template double hole(const Scene&, const Lattice&);
+template double hole(const Scene&, const BasicLattice<3>&);
+template BasicMeasurements<2> measurements(const Scene&, const State&, bool);
+template BasicMeasurements<3> measurements(const Scene&, const BasicState<3>&, bool);
 
 }  // namespace mpm::with_cavity

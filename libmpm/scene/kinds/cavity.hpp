@@ -49,13 +49,16 @@ inline constexpr Choice choices[] = {
 
 void set_default_numerics(Numerics&);
 void check(const Scene&, Report&);
-double hole(const Scene&, const Lattice&);  ///< area of the cavity, as much of it as is modelled [m^2]
+/// Of the cavity, as much of it as is modelled [m^2], of three axes [m^3].
+template <int axes>
+double hole(const Scene&, const BasicLattice<axes>&);
 double coarsest_cell(const Scene&);
 std::vector<Part> parts(const Scene&);
 inline constexpr std::string_view outcomes[] = {"collapsed", "partial", "ejected", "arrested"};
 /// Of what measurements() makes.
 inline constexpr Results measured[] = {Cavity::results, Jet::results, Ejection::results};
 /// `open_below`: there is no wall, so that what reaches the lowest row of the grid is the outside.
-Measurements measurements(const Scene&, const State&, bool open_below);
+template <int axes>
+BasicMeasurements<axes> measurements(const Scene&, const BasicState<axes>&, bool open_below);
 
 }  // namespace mpm::with_cavity

@@ -4,16 +4,25 @@
 namespace mpm {
 namespace {
 
-Body body(const Scene& s, const Lattice& l) {
+template <int axes>
+BasicBody<axes> body(const Scene& s, const BasicLattice<axes>& l) {
   const double u = s.impact_speed;
-  return {everywhere() - disc({0, 0}, s.cavity_radius), [u](const Vec2&) { return Vec2(0, -u); }, l.center};
+  return {everywhere<axes>() - ball<axes>(Vec<axes>::Zero(), s.cavity_radius),
+          [u](const Vec<axes>&) { return with_block::velocity<axes>(-u); }, l.center};
 }
 
-double area(const Scene& s, const Lattice& l) { return with_block::area(s, l) - with_cavity::hole(s, l); }
+template <int axes>
+double size(const Scene& s, const BasicLattice<axes>& l) {
+  return with_block::size(s, l) - with_cavity::hole(s, l);
+}
 
-Measurements measurements(const Scene& s, const State& state) {
+template <int axes>
+BasicMeasurements<axes> measurements(const Scene& s, const BasicState<axes>& state) {
   return with_cavity::measurements(s, state, false);
 }
+
+template <int axes>
+constexpr KindIn<axes> in_axes{with_block::lattice<axes>, body<axes>, size<axes>, measurements<axes>};
 
 }  // namespace
 
@@ -29,15 +38,13 @@ extern constinit const Kind cavity_impact{
     .set_default_numerics = with_cavity::set_default_numerics,
     .check = with_cavity::check,
     .extent = with_block::extent,
-    .lattice = with_block::lattice,
     .floor = with_block::floor,
-    .body = body,
-    .area = area,
     .fastest = with_block::fastest,
     .coarsest_cell = with_cavity::coarsest_cell,
     .parts = with_cavity::parts,
     .shock_pressure = with_block::shock_pressure,
-    .measurements = measurements,
+    .of_two_axes = in_axes<2>,
+    .of_three_axes = in_axes<3>,
 };
 
 }  // namespace mpm

@@ -1,5 +1,5 @@
-// A ring that nothing touches moves inwards: v(r) = -inner_speed inner_radius / r; in axisymmetry a sphere,
-// v(r) = -inner_speed (inner_radius / r)^2.
+// A ring that nothing touches moves inwards: v(r) = -inner_speed inner_radius / r; in axisymmetry and of
+// three axes a sphere, v(r) = -inner_speed (inner_radius / r)^2.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,7 +21,8 @@ constexpr Quantity rows[] = {
 };
 // clang-format on
 
-bool quarter(const Scene& s) { return s.numerics.symmetry == Symmetry::half; }
+/// Whether the quarter, of three axes the octant, is modelled.
+bool part_of(const Scene& s) { return s.numerics.symmetry == Symmetry::half; }
 
 /// An imploding shell hardly compresses, so viscosity only damps the ringing that its start and its stop
 /// excite: from 0 to 1 it moves the stop radius by 0.1 %; with less than 0.5 the ringing is left, with GIMP
@@ -42,38 +43,45 @@ void check(const Scene& s, Report& report) {
                    "at most a quarter of outer_radius - inner_radius (" + text_of((b - a) / 4) + " m)");
 }
 
-Extent extent(const Scene& s) { return {2 * s.outer_radius, 2 * s.outer_radius}; }
+Extent extent(const Scene& s) { return {2 * s.outer_radius, 2 * s.outer_radius, 2 * s.outer_radius}; }
 
-/// A square with two cells to spare, so that neither the right mirror nor, where all of the ring is modelled,
-/// the impact wall ever feels it.
-Lattice lattice(const Scene& s) {
+/// A square or a cube with two cells to spare, so that neither the right mirror nor, where all of the shell
+/// is modelled, the impact wall ever feels it.
+template <int axes>
+BasicLattice<axes> lattice(const Scene& s) {
+  using Vector = Vec<axes>;
   const double h = s.numerics.cell_size;
-  const bool part = quarter(s);
+  const bool part = part_of(s);
   const int cells = static_cast<int>(std::ceil(s.outer_radius / h)) + 2;
   const int across = part ? cells : 2 * cells;
-  return {part ? Vec2(0, 0) : Vec2(-cells * h, 0),
-          Vec2(h, h),
-          part ? Vec2(0, 0) : Vec2(0, cells * h),
-          across * h,
-          across,
-          across,
-          0};
+  BasicLattice<axes> l{Vector::Zero(), Vector::Constant(h), Vector::Zero(), across * h, across, across, 0};
+  if (axes == 3) l.slices = across;
+  if (part) return l;
+  l.origin.setConstant(-cells * h);
+  l.origin.y() = 0;
+  l.center.y() = cells * h;
+  return l;
 }
 
-Floor floor(const Scene& s) { return quarter(s) ? Floor::mirror : Floor::impact_wall; }
+Floor floor(const Scene& s) { return part_of(s) ? Floor::mirror : Floor::impact_wall; }
 
-Body body(const Scene& s, const Lattice& l) {
+template <int axes>
+BasicBody<axes> body(const Scene& s, const BasicLattice<axes>& l) {
+  using Vector = Vec<axes>;
   const double u = s.inner_speed, a = s.inner_radius;
-  const Region ring = disc({0, 0}, s.outer_radius) - disc({0, 0}, a);
-  if (s.space == Space::axisymmetric)
-    return {ring, [=](const Vec2& x) { return Vec2(-u * (a * a) / (x.squaredNorm() * x.norm()) * x); },
-            l.center};
-  return {ring, [=](const Vec2& x) { return Vec2(-u * a / x.squaredNorm() * x); }, l.center};
+  const auto shell = ball<axes>(Vector::Zero(), s.outer_radius) - ball<axes>(Vector::Zero(), a);
+  if (s.space == Space::plane_strain)
+    return {shell, [=](const Vector& x) { return Vector(-u * a / x.squaredNorm() * x); }, l.center};
+  return {shell, [=](const Vector& x) { return Vector(-u * (a * a) / (x.squaredNorm() * x.norm()) * x); },
+          l.center};
 }
 
-double area(const Scene& s, const Lattice&) {
-  const double ring = std::numbers::pi * (s.outer_radius * s.outer_radius - s.inner_radius * s.inner_radius);
-  return quarter(s) ? ring / 4 : ring;
+template <int axes>
+double size(const Scene& s, const BasicLattice<axes>&) {
+  const double a = s.inner_radius, b = s.outer_radius;
+  const double whole =
+      axes == 2 ? std::numbers::pi * (b * b - a * a) : 4 * std::numbers::pi / 3 * (b * b * b - a * a * a);
+  return part_of(s) ? whole / (1 << axes) : whole;
 }
 
 double fastest(const Scene& s) { return s.inner_speed; }
@@ -88,11 +96,15 @@ std::vector<Part> parts(const Scene& s) {
 constexpr std::string_view outcomes[] = {"arrested"};
 constexpr Results measured[] = {Shell::results};
 
-Measurements measurements(const Scene& s, const State& state) {
-  Measurements all;
-  all.push_back(std::make_unique<Shell>(s, state));
+template <int axes>
+BasicMeasurements<axes> measurements(const Scene& s, const BasicState<axes>& state) {
+  BasicMeasurements<axes> all;
+  all.push_back(std::make_unique<BasicShell<axes>>(s, state));
   return all;
 }
+
+template <int axes>
+constexpr KindIn<axes> in_axes{lattice<axes>, body<axes>, size<axes>, measurements<axes>};
 
 }  // namespace
 
@@ -106,14 +118,12 @@ extern constinit const Kind imploding_shell{
     .set_default_numerics = set_default_numerics,
     .check = check,
     .extent = extent,
-    .lattice = lattice,
     .floor = floor,
-    .body = body,
-    .area = area,
     .fastest = fastest,
     .coarsest_cell = coarsest_cell,
     .parts = parts,
-    .measurements = measurements,
+    .of_two_axes = in_axes<2>,
+    .of_three_axes = in_axes<3>,
 };
 
 }  // namespace mpm

@@ -28,12 +28,22 @@ void set(Scene& s, double value) {
   s.*member = value;
 }
 
-/// A rectangle that holds the bodies [m].
+/// A box that holds the bodies [m].
 struct Extent {
   double width, height;
+  double depth = 0;  ///< of three axes
 };
 
-using Measurements = std::vector<std::unique_ptr<Measurement>>;
+/// What a kind is in spaces of so many axes; nothing where it has none of these.
+template <int axes>
+struct KindIn {
+  BasicLattice<axes> (*lattice)(const Scene&) = nullptr;
+  BasicBody<axes> (*body)(const Scene&, const BasicLattice<axes>&) = nullptr;
+  /// Of the modelled part of the body [m^2], of three axes [m^3].
+  double (*size)(const Scene&, const BasicLattice<axes>&) = nullptr;
+  /// Beside the balance, the health and the hot spots of a run.
+  BasicMeasurements<axes> (*measurements)(const Scene&, const BasicState<axes>&) = nullptr;
+};
 
 /// The pressure of a scene that has no planar shock.
 inline double no_shock(const Scene&) { return 0; }
@@ -59,19 +69,24 @@ struct Kind {
   /// Of numbers that are each in their range.
   void (*check)(const Scene&, Report&);
   Extent (*extent)(const Scene&);  ///< of all of the scene, modelled or not
-  Lattice (*lattice)(const Scene&);
   Floor (*floor)(const Scene&);
-  Body (*body)(const Scene&, const Lattice&);
-  double (*area)(const Scene&, const Lattice&);  ///< of the modelled part of the body [m^2]
-  double (*fastest)(const Scene&);               ///< speed of the fastest part of the body
-  double (*coarsest_cell)(const Scene&);         ///< that still shows the body
-  std::vector<Part> (*parts)(const Scene&);      ///< walls and holes that a grid may be too coarse for
+  double (*fastest)(const Scene&);           ///< speed of the fastest part of the body
+  double (*coarsest_cell)(const Scene&);     ///< that still shows the body
+  std::vector<Part> (*parts)(const Scene&);  ///< walls and holes that a grid may be too coarse for
   /// Of the planar shock that impact_speed makes, which has to be within the equation of state [Pa].
   double (*shock_pressure)(const Scene&) = no_shock;
   /// When real bodies, once they have met, would part again: those of the scene hold together [s].
   double (*parting_time)(const Scene&) = never;
-  /// Beside the balance, the health and the hot spots of a run.
-  Measurements (*measurements)(const Scene&, const State&);
+  KindIn<2> of_two_axes;
+  KindIn<3> of_three_axes = {};
+
+  template <int axes>
+  const KindIn<axes>& in() const {
+    if constexpr (axes == 2)
+      return of_two_axes;
+    else
+      return of_three_axes;
+  }
 };
 
 std::span<const Kind* const> kinds();  ///< in the order of SceneKind

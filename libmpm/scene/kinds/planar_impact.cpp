@@ -17,9 +17,10 @@ void set_default_numerics(Numerics& n) {
   n.linear_viscosity = 1;
 }
 
-Body body(const Scene& s, const Lattice& l) {
+template <int axes>
+BasicBody<axes> body(const Scene& s, const BasicLattice<axes>& l) {
   const double u = s.impact_speed;
-  return {everywhere(), [u](const Vec2&) { return Vec2(0, -u); }, l.center};
+  return {everywhere<axes>(), [u](const Vec<axes>&) { return with_block::velocity<axes>(-u); }, l.center};
 }
 
 double coarsest_cell(const Scene& s) { return std::min(s.block_width / 8, s.block_height / 64); }
@@ -28,11 +29,16 @@ std::vector<Part> no_parts(const Scene&) { return {}; }
 
 constexpr Results measured[] = {PlanarShock::results};
 
-Measurements measurements(const Scene& s, const State& state) {
-  Measurements all;
-  all.push_back(std::make_unique<PlanarShock>(s, state));
+template <int axes>
+BasicMeasurements<axes> measurements(const Scene& s, const BasicState<axes>& state) {
+  BasicMeasurements<axes> all;
+  all.push_back(std::make_unique<BasicPlanarShock<axes>>(s, state));
   return all;
 }
+
+template <int axes>
+constexpr KindIn<axes> in_axes{with_block::lattice<axes>, body<axes>, with_block::size<axes>,
+                               measurements<axes>};
 
 }  // namespace
 
@@ -45,15 +51,13 @@ extern constinit const Kind planar_impact{
     .set_default_numerics = set_default_numerics,
     .check = with_block::check,
     .extent = with_block::extent,
-    .lattice = with_block::lattice,
     .floor = with_block::floor,
-    .body = body,
-    .area = with_block::area,
     .fastest = with_block::fastest,
     .coarsest_cell = coarsest_cell,
     .parts = no_parts,
     .shock_pressure = with_block::shock_pressure,
-    .measurements = measurements,
+    .of_two_axes = in_axes<2>,
+    .of_three_axes = in_axes<3>,
 };
 
 }  // namespace mpm

@@ -9,8 +9,9 @@ namespace {
 
 /// With the struck block, and below it the way that its rear face goes after the shock, at most at
 /// impact_speed.
-Lattice lattice(const Scene& s) {
-  Lattice l = with_block::lattice(s);
+template <int axes>
+BasicLattice<axes> lattice(const Scene& s) {
+  BasicLattice<axes> l = with_block::lattice<axes>(s);
   const int room = static_cast<int>(std::ceil(s.impact_speed * s.end_time / l.cell.y())) + 4;
   l.empty_rows = room;
   l.origin.y() = -(l.rows + room) * l.cell.y();
@@ -21,7 +22,8 @@ Lattice lattice(const Scene& s) {
 void check(const Scene& s, Report& report) {
   constexpr double most_cells = 1e9;
   const double h = s.numerics.cell_size;
-  const double cells = s.block_width / h * ((2 * s.block_height + s.impact_speed * s.end_time) / h);
+  const double depth = s.space == Space::three_d ? s.block_width / h : 1;
+  const double cells = depth * s.block_width / h * ((2 * s.block_height + s.impact_speed * s.end_time) / h);
   report.require(
       cells <= most_cells, "end_time",
       "short enough for at most 1e9 cells of the way that the bodies go at impact_speed (these would be " +
@@ -29,15 +31,19 @@ void check(const Scene& s, Report& report) {
   with_cavity::check(s, report);
 }
 
-Extent extent(const Scene& s) { return {s.block_width, 2 * s.block_height}; }
+Extent extent(const Scene& s) { return {s.block_width, 2 * s.block_height, s.block_width}; }
 
-Body body(const Scene& s, const Lattice& l) {
+template <int axes>
+BasicBody<axes> body(const Scene& s, const BasicLattice<axes>& l) {
   const double u = s.impact_speed, face = -l.center.y();  // y = 0, from the cavity's centre
-  return {everywhere() - disc({0, 0}, s.cavity_radius),
-          [=](const Vec2& x) { return Vec2(0, x.y() < face ? u : -u); }, l.center};
+  return {everywhere<axes>() - ball<axes>(Vec<axes>::Zero(), s.cavity_radius),
+          [=](const Vec<axes>& x) { return with_block::velocity<axes>(x.y() < face ? u : -u); }, l.center};
 }
 
-double area(const Scene& s, const Lattice& l) { return with_block::area(s, l) * 2 - with_cavity::hole(s, l); }
+template <int axes>
+double size(const Scene& s, const BasicLattice<axes>& l) {
+  return with_block::size(s, l) * 2 - with_cavity::hole(s, l);
+}
 
 /// Once the shock has run to the free rear of each body and the release has come back.
 double parting_time(const Scene& s) {
@@ -47,9 +53,13 @@ double parting_time(const Scene& s) {
   return s.block_height / shock + s.block_height * std::max(0.0, 1 - u / shock) / release;
 }
 
-Measurements measurements(const Scene& s, const State& state) {
+template <int axes>
+BasicMeasurements<axes> measurements(const Scene& s, const BasicState<axes>& state) {
   return with_cavity::measurements(s, state, true);
 }
+
+template <int axes>
+constexpr KindIn<axes> in_axes{lattice<axes>, body<axes>, size<axes>, measurements<axes>};
 
 }  // namespace
 
@@ -65,16 +75,14 @@ extern constinit const Kind two_body_impact{
     .set_default_numerics = with_cavity::set_default_numerics,
     .check = check,
     .extent = extent,
-    .lattice = lattice,
     .floor = with_block::floor,
-    .body = body,
-    .area = area,
     .fastest = with_block::fastest,
     .coarsest_cell = with_cavity::coarsest_cell,
     .parts = with_cavity::parts,
     .shock_pressure = with_block::shock_pressure,
     .parting_time = parting_time,
-    .measurements = measurements,
+    .of_two_axes = in_axes<2>,
+    .of_three_axes = in_axes<3>,
 };
 
 }  // namespace mpm

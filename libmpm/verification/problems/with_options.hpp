@@ -12,7 +12,7 @@ inline mpm::Scene with_options(mpm::Scene scene, const ExactOptions& options) {
   mpm::Numerics& n = scene.numerics;
   n.scheme = options.scheme.value_or(n.scheme);
   n.particles_per_cell = options.particles_per_cell.value_or(n.particles_per_cell);
-  if (!mpm::fast_step_has(n)) n.kernel = mpm::Kernel::reference;
+  if (!mpm::fast_step_has(scene)) n.kernel = mpm::Kernel::reference;
   return scene;
 }
 

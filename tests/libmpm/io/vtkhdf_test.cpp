@@ -97,6 +97,24 @@ TEST_F(VtkhdfTest, GivesBackEveryBit) {
   EXPECT_EQ(names_in(folder_), std::vector<std::string>{"a.h5"});
 }
 
+TEST_F(VtkhdfTest, GivesBackWhatThreeAxesHave) {
+  mpm::Snapshot written = make_snapshot(3);
+  EXPECT_FALSE(written.has_depth());
+  double next = 0.7;
+  for (auto column :
+       {&mpm::Snapshot::z, &mpm::Snapshot::velocity_z, &mpm::Snapshot::stress_xz, &mpm::Snapshot::stress_yz})
+    for (int i = 0; i < 3; ++i) (written.*column).push_back(std::sin(next += 1) / 3);
+  mpm::write_vtkhdf(folder_ / "a.h5", written);
+  const mpm::Snapshot read = mpm::read_vtkhdf(folder_ / "a.h5");
+  expect_same_bits(read, written);
+  EXPECT_EQ(read.z, written.z);
+  EXPECT_EQ(read.velocity_z, written.velocity_z);
+  EXPECT_EQ(read.stress_xz, written.stress_xz);
+  EXPECT_EQ(read.stress_yz, written.stress_yz);
+  written.stress_yz.pop_back();
+  EXPECT_THAT(error_of([&] { mpm::write_vtkhdf(folder_ / "b.h5", written); }), HasSubstr("StressYZ"));
+}
+
 TEST_F(VtkhdfTest, KeepsAnEmptySnapshotAndASingleParticle) {
   for (std::size_t particles : {0, 1}) {
     const mpm::Snapshot written = make_snapshot(particles);
