@@ -3,6 +3,7 @@
 /// Study files, ladders, intervals, figures, SQL and the catalog's page are made from it. A measurement has
 /// its rows in its own file, beside the code that measures; kinds of scene name their measurements
 /// (kinds/kind.hpp). Checked by tests/runner/study/result_names_test.cpp, which runs every kind of scene.
+#include <array>
 #include <initializer_list>
 #include <limits>
 #include <optional>
@@ -52,6 +53,11 @@ struct ResultRow {
   bool metric = true;                  ///< whether it is one of RunResult::metrics, and in the view `metrics`
   bool column = false;                 ///< whether it is a column of the view `jobs`
   std::string_view error_column = "";  ///< of the view `jobs`, that has its interval
+  /// Results that are the two parts of its measuring error, which are added in quadrature: how far two
+  /// measurements of it differ, and how it scatters in time.
+  std::string_view difference = "", scatter = "";
+  /// It is 1 - final / initial of one of these: of the first that the job has.
+  std::array<std::string_view, 2> lost_share_of = {};
   /// Means nothing where the view `jobs` has `flags`: the cavity is no closed hole at the end.
   bool of_closed_cavity = false;
   KindSet belongs_to = {};  ///< filled in by results()

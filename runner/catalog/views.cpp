@@ -116,11 +116,11 @@ FROM interval i JOIN study s ON s.id = i.study_id JOIN job j ON j.id = i.job_id;
 )sql";
 
 /// The half width that a study has of a number, else the one from the most cells, else what the job measured.
-std::string error_of(const std::string& quantity) {
-  const std::string own = quantity == "final_area_m2" ? "final_area_error_m2" : quantity + "_error";
-  const std::string of_it = "FROM interval i WHERE i.job_id = j.id AND i.quantity = '" + quantity + "'";
+std::string error_of(const mpm::ResultRow& result) {
+  const std::string of_it =
+      "FROM interval i WHERE i.job_id = j.id AND i.quantity = '" + std::string(result.name) + "'";
   return "coalesce((SELECT i.error " + of_it + " AND i.study_id = m.study_id), (SELECT i.error " + of_it +
-         " ORDER BY i.cells DESC, i.study_id LIMIT 1), j." + own + ")";
+         " ORDER BY i.cells DESC, i.study_id LIMIT 1), j." + std::string(result.error_column) + ")";
 }
 
 void replace_all(std::string& sql, std::string_view what, const std::string& with) {
@@ -132,7 +132,7 @@ void replace_all(std::string& sql, std::string_view what, const std::string& wit
 std::string filled(std::string sql) {
   for (const mpm::ResultRow& row : mpm::results())
     if (!row.error_column.empty())
-      replace_all(sql, "@error of " + std::string(row.name) + "@", error_of(std::string(row.name)));
+      replace_all(sql, "@error of " + std::string(row.name) + "@", error_of(row));
   replace_all(sql, "@widest@", widest_interval);
   replace_all(sql, "@room@", room_of_collapsed);
   replace_all(sql, "@stale@", stale_sql());

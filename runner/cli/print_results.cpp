@@ -37,7 +37,7 @@ std::vector<std::string> results_of_interest(const Study& study) {
   add(study.ladder.quantity);
   for (const auto& fit : study.fits) add(fit.y);
   for (const auto& figure : study.figures)
-    if (figure.kind == "xy") add(figure.y);
+    if (row_of(figure.kind).has_x) add(figure.y);
   return names;
 }
 

@@ -164,22 +164,37 @@ bool draw_calibration(const Study& study, const StudyResults& results, const Fig
   return true;
 }
 
+/// How a kind of figure is drawn; gives back the stems of its files, none where there is nothing to draw.
+using Draw = std::vector<fs::path> (*)(const Study&, const StudyResults&, const FigureRequest&,
+                                       const fs::path& stem);
+/// Of kinds that are one file.
+template <bool (*draw_one)(const Study&, const StudyResults&, const FigureRequest&, const fs::path&)>
+std::vector<fs::path> one_file(const Study& study, const StudyResults& results, const FigureRequest& request,
+                               const fs::path& stem) {
+  return draw_one(study, results, request, stem) ? std::vector{stem} : std::vector<fs::path>();
+}
+Draw drawing_of(FigureKind kind) {
+  switch (kind) {
+    case FigureKind::history:
+      return one_file<draw_history>;
+    case FigureKind::xy:
+      return one_file<draw_xy>;
+    case FigureKind::fields:
+      return draw_fields;
+    case FigureKind::calibration:
+      return one_file<draw_calibration>;
+  }
+  throw std::logic_error("a kind of figure without a function that draws it");
+}
+
 }  // namespace
 
 std::vector<fs::path> draw_figures(const Study& study, const StudyResults& results) {
   std::vector<fs::path> stems;
   for (const FigureRequest& request : study.figures) {
     const fs::path stem = results.folder / "figures" / study.name / request.name;
-    bool drawn = false;
-    if (request.kind == "fields")
-      for (fs::path& one : draw_fields(study, results, request, stem)) stems.push_back(std::move(one));
-    else if (request.kind == "history")
-      drawn = draw_history(study, results, request, stem);
-    else if (request.kind == "calibration")
-      drawn = draw_calibration(study, results, request, stem);
-    else
-      drawn = draw_xy(study, results, request, stem);
-    if (drawn) stems.push_back(stem);
+    for (fs::path& one : drawing_of(request.kind)(study, results, request, stem))
+      stems.push_back(std::move(one));
   }
   for (fs::path& stem : stems) stem += ".png";
   return stems;
@@ -189,10 +204,11 @@ std::vector<std::string> not_drawn(const Study& study, const std::vector<fs::pat
                                    const fs::path& results) {
   std::vector<std::string> lines;
   for (const FigureRequest& request : study.figures) {
-    if (request.kind == "calibration") continue;  // an accuracy may be reached before there are cells for it
+    const FigureKindRow& kind = row_of(request.kind);
+    if (kind.least_cells > 1) continue;  // an accuracy may be reached before there are cells for it
     if (std::ranges::any_of(drawn, [&](const fs::path& file) {
           const std::string stem = file.stem().string();
-          return stem == request.name || (request.kind == "fields" && stem.starts_with(request.name + "-"));
+          return stem == request.name || (kind.of_snapshots && stem.starts_with(request.name + "-"));
         }))
       continue;
     const fs::path before = results / "figures" / study.name / (request.name + ".png");
@@ -209,7 +225,7 @@ std::vector<std::string> figure_notes(const Study& study, const StudyResults& re
   for (const std::string& line : flagged_brackets(study, results))
     notes.push_back("drawn and fitted, since the runs at both ends have their outcomes: " + line);
   for (const FigureRequest& request : study.figures)
-    if (request.kind == "calibration" && results.missing == 0 &&
+    if (request.kind == FigureKind::calibration && results.missing == 0 &&
         calibration_of(study, results, request.y).empty())
       notes.push_back(
           fmt::format("figure {}: not drawn, its ladders have too few cells to judge intervals of {}",

@@ -151,7 +151,7 @@ analysis::PageSection section_of(const ReportedStudy& reported, const fs::path& 
     section.images.push_back({curves ? svg : png, png.stem().string()});
   }
   for (const FigureRequest& figure : study.figures) {
-    if (figure.kind != "fields") continue;
+    if (!row_of(figure.kind).of_snapshots) continue;
     for (const JobResults& job : results.done)
       if (auto animation = animation_of(results, job, figure.y, figure.title); !animation.frames.empty())
         section.animations.push_back(std::move(animation));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "libmpm/measure/results.hpp"
 #include "runner/catalog/accuracy.hpp"
 #include "runner/ladder/climb.hpp"
 #include "runner/study/requests.hpp"
@@ -34,25 +35,27 @@ std::map<std::string, Ladder> read_ladders(const Study& study, const std::filesy
   return ladders;
 }
 
-/// The two parts of the measuring error of the final area, as the job itself has them.
+/// The two parts of a measuring error, as the job itself has them. Those of a lost share are those of what it
+/// is a share of, over its initial size.
 void split_measuring_error(const Ladder& ladder, IntervalRow& row) {
-  const bool share = row.quantity == "collapsibility";
-  if (!share && row.quantity != "final_area_m2") return;
-  const auto at_finest = [&](const char* name) -> std::optional<double> {
-    const auto found = ladder.find(name);
+  const auto at_finest = [&](std::string_view name) -> std::optional<double> {
+    const auto found = ladder.find(std::string(name));
     if (found == ladder.end()) return std::nullopt;
     return std::ranges::min(found->second.points, {}, &analysis::LadderPoint::cell).value;
   };
-  // In axisymmetry a collapsibility is made of volumes.
-  const bool volumes = share && ladder.contains("final_volume_m3");
-  const auto final_size = at_finest(volumes ? "final_volume_m3" : "final_area_m2");
-  const auto collapsed = at_finest("collapsibility");
-  // (1 - collapsibility) initial size = final size; one that is gone says nothing of the initial one.
-  const double unit =
-      share ? (final_size && collapsed && *collapsed < 1 ? *final_size / (1 - *collapsed) : 0) : 1;
+  const mpm::ResultRow* measured = mpm::find_result(row.quantity);
+  double unit = 1;
+  for (const std::string_view size : measured->lost_share_of) {
+    const auto final_size = at_finest(size), lost = at_finest(row.quantity);
+    if (size.empty() || !final_size) continue;
+    // (1 - lost share) initial size = final size; one that is gone says nothing of the initial one.
+    if (!lost || !(*lost < 1)) return;
+    measured = mpm::find_result(size);
+    unit = *final_size / (1 - *lost);
+    break;
+  }
   if (!(unit > 0)) return;
-  const auto difference = at_finest(volumes ? "final_volume_difference_m3" : "final_area_difference_m2");
-  const auto scatter = at_finest(volumes ? "final_volume_scatter_m3" : "final_area_scatter_m2");
+  const auto difference = at_finest(measured->difference), scatter = at_finest(measured->scatter);
   if (difference) row.measuring_difference = *difference / unit;
   if (scatter) row.scatter = *scatter / unit;
 }

@@ -8,19 +8,21 @@
 #include <string>
 #include <string_view>
 
+#include "runner/study/figure_kinds.hpp"
+
 namespace mpmstudy {
 
 void check_figure_files(const Table& document, std::size_t jobs, Problems& problems) {
   const Entry* entry = document.find("figure");
   const List* list = entry ? entry->value.list() : nullptr;
   if (!list) return;
-  std::map<std::string, const Value*> names;  // of all figures, and of those of kind "fields" alone
-  std::set<std::string> fields;
+  std::map<std::string, const Value*> names;
+  std::set<std::string> fields;  // of figures that have a file per job
   for (const Value& one : *list) {
     const Table* table = one.table();
     const Entry *name = table->find("name"), *kind = table->find("kind");
     names.emplace(*name->value.string(), &name->value);
-    if (*kind->value.string() == "fields") fields.insert(*name->value.string());
+    if (find_figure_kind(*kind->value.string())->of_snapshots) fields.insert(*name->value.string());
   }
   const auto refuse = [&](const std::string& file, const std::string& of) {
     if (const auto other = names.find(file); other != names.end())
@@ -33,7 +35,7 @@ void check_figure_files(const Table& document, std::size_t jobs, Problems& probl
   for (const std::string& name : fields) {
     refuse(name + "-grey", name);  // without a number where one job is done only
     for (const auto& [other, value] : names) {
-      // One of kind "fields" has a number at its end where this one has, and is another file.
+      // One that has a file per job has a number at its end where this one has, and is another file.
       if (fields.contains(other) || !other.starts_with(name + "-")) continue;
       std::string_view rest = std::string_view(other).substr(name.size() + 1);
       if (rest.ends_with("-grey")) rest.remove_suffix(5);

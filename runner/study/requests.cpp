@@ -12,7 +12,6 @@
 #include "libmpm/scene/kinds/kind.hpp"
 #include "runner/study/characters.hpp"
 #include "runner/study/critical_names.hpp"
-#include "runner/study/ladder.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/readable.hpp"
 #include "runner/study/schema.hpp"
@@ -21,17 +20,20 @@
 namespace mpmstudy {
 namespace {
 
-constexpr std::array<std::string_view, 4> figure_kinds = {"history", "xy", "fields", "calibration"};
-/// The first ones give an interval, and finer ones what it is held against.
-constexpr int cells_of_calibration = first_cells + 1;
 using Outcome = Expectation::Outcome;
 constexpr auto expected_outcomes = mpm::words<Outcome>(
     {{Outcome::holds, "holds"}, {Outcome::breaks, "breaks"}, {Outcome::refused, "refused"}});
-/// Kinds of figure that a kind of scene can fill: a history is that of the cavity's area.
-std::vector<std::string_view> figure_kinds_of(std::optional<mpm::SceneKind> kind) {
-  std::vector<std::string_view> kinds(figure_kinds.begin(), figure_kinds.end());
-  if (kind && !mpm::kind_of(*kind).has_area_history) std::erase(kinds, "history");
-  return kinds;
+
+bool can_draw(const FigureKindRow& row, std::optional<mpm::SceneKind> kind) {
+  return !row.of_area_history || !kind || mpm::kind_of(*kind).has_area_history;
+}
+
+/// Kinds of figure that a kind of scene can fill; all, if the file does not say which.
+std::vector<std::string_view> figure_words(std::optional<mpm::SceneKind> kind) {
+  std::vector<std::string_view> words;
+  for (const FigureKindRow& row : figure_kinds)
+    if (can_draw(row, kind)) words.push_back(row.word);
+  return words;
 }
 
 /// Of a kind of scene; of all of them, if the file does not say which.
@@ -148,6 +150,63 @@ std::string read_x(const Entry& parent, const Table& table, const RequestContext
                                               std::string(table_name(mpm::find_quantity(*name)->section)) +
                                               "], or take a quantity that is swept"});
   return *name;
+}
+
+/// Whether this study can have a figure of that kind.
+void check_figure_kind(const FigureKindRow& row, const Value& value, const RequestContext& context,
+                       Problems& problems) {
+  if (!can_draw(row, context.kind))
+    problems.add("kind", value,
+                 {std::string(mpm::to_string(*context.kind)) + " has no history of a cavity's area",
+                  "allowed: " + listed(figure_words(context.kind))});
+  if (row.of_snapshots && !context.has_snapshots)
+    problems.add("kind", value,
+                 {"there are no snapshots to draw", "write snapshots = [\"1 ns\"] in [measure]"});
+}
+
+/// What a figure's x and y are, for the keys that its kind has.
+void read_axes(const Entry& entry, const Table& table, const FigureKindRow& row,
+               const RequestContext& context, FigureRequest& figure, Problems& problems) {
+  const auto refuse = [&](std::string_view key) {
+    if (const Entry* extra = table.find(key))
+      problems.add(key, extra->value,
+                   {fmt::format("a figure of kind {} has no {}", row.word, key), "remove it"});
+  };
+  if (row.has_x)
+    figure.x = read_x(entry, table, context, problems);
+  else
+    refuse("x");
+  switch (row.y) {
+    case FigureY::nothing:
+      refuse("y");
+      break;
+    case FigureY::result:
+      figure.y = read_y(entry, table, context, problems);
+      break;
+    case FigureY::result_with_interval:
+      figure.y = read_result(entry, table, context, problems, with_interval);
+      break;
+    case FigureY::field:
+      figure.y = read_word(entry, table, "y", "field", field_names(), problems);
+      if (const mpm::Field* field = mpm::find_field(figure.y);
+          field && field->only_of_three_axes() &&
+          std::ranges::any_of(context.spaces, [](mpm::Space space) { return space != mpm::Space::three_d; }))
+        problems.add("y", table.find("y")->value,
+                     {"only jobs in three dimensions have this field",
+                      "write space = \"three-d\", or take another field"});
+      break;
+  }
+}
+
+void check_cells(const FigureKindRow& row, const Value& value, const RequestContext& context,
+                 Problems& problems) {
+  if (row.least_cells <= 1) return;
+  if (!context.critical.empty())
+    problems.add("kind", value, {"is of single runs, and the study has a [search]", "remove the figure"});
+  else if (context.cells < row.least_cells)
+    problems.add("kind", value,
+                 {fmt::format("needs a ladder of {} cells or more", row.least_cells),
+                  fmt::format("write ladder = {} in [numerics]", row.least_cells)});
 }
 
 /// Calls read(entry, table) for every [[name]].
@@ -297,43 +356,14 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
       if (!figure.name.empty() && other.name == figure.name)
         problems.add("name", table.find("name")->value, {"two figures of one name", "give each its own"});
     if (table.find("title")) figure.title = required_title(table, entry.place, problems).value_or("");
-    figure.kind = read_word(entry, table, "kind", "kind of figure", figure_kinds, problems);
-    if (figure.kind == "history" && context.kind && !mpm::kind_of(*context.kind).has_area_history)
-      problems.add("kind", table.find("kind")->value,
-                   {std::string(mpm::to_string(*context.kind)) + " has no history of a cavity's area",
-                    "allowed: " + listed(figure_kinds_of(context.kind))});
-    if (figure.kind == "fields" && !context.has_snapshots)
-      problems.add("kind", table.find("kind")->value,
-                   {"there are no snapshots to draw", "write snapshots = [\"1 ns\"] in [measure]"});
-    const auto refuse = [&](std::string_view key) {
-      if (const Entry* extra = table.find(key))
-        problems.add(key, extra->value,
-                     {"a figure of kind " + figure.kind + " has no " + std::string(key), "remove it"});
-    };
-    if (figure.kind == "xy") {
-      figure.x = read_x(entry, table, context, problems);
-      figure.y = read_y(entry, table, context, problems);
-    } else if (figure.kind == "fields") {
-      refuse("x");
-      figure.y = read_word(entry, table, "y", "field", field_names(), problems);
-      const mpm::Field* field = mpm::find_field(figure.y);
-      const auto flat = [](mpm::Space space) { return space != mpm::Space::three_d; };
-      if (field && field->only_of_three_axes() && std::ranges::any_of(context.spaces, flat))
-        problems.add("y", table.find("y")->value,
-                     {"only jobs in three dimensions have this field",
-                      "write space = \"three-d\", or take another field"});
-    } else if (figure.kind == "calibration") {
-      refuse("x");
-      figure.y = read_result(entry, table, context, problems, with_interval);
-      if (!context.critical.empty())
-        problems.add("kind", table.find("kind")->value,
-                     {"is of single runs, and the study has a [search]", "remove the figure"});
-      else if (context.cells < cells_of_calibration)
-        problems.add("kind", table.find("kind")->value,
-                     {"needs a ladder of five cells or more", "write ladder = 5 in [numerics]"});
-    } else if (figure.kind == "history") {
-      refuse("x");
-      refuse("y");
+    const std::string word =
+        read_word(entry, table, "kind", "kind of figure", figure_words(std::nullopt), problems);
+    if (const FigureKindRow* row = find_figure_kind(word)) {
+      const Value& kind = table.find("kind")->value;
+      figure.kind = row->kind;
+      check_figure_kind(*row, kind, context, problems);
+      read_axes(entry, table, *row, context, figure, problems);
+      check_cells(*row, kind, context, problems);
     }
     figures.push_back(figure);
   });

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "libmpm/scene/scene.hpp"
+#include "runner/study/figure_kinds.hpp"
 #include "runner/study/ladder_request.hpp"
 
 namespace mpmstudy {
@@ -28,10 +29,9 @@ struct FitRequest {
 struct FigureRequest {
   std::string name;  ///< file stem, e.g. "area-of-radius"
   std::string title;
-  std::string kind;  ///< "history" (area against time), "xy" (result against parameter, with its fit),
-                     ///< "fields" (one panel a snapshot), "calibration" (intervals against finer cells)
-  std::string x;     ///< xy: a quantity
-  std::string y;     ///< xy, calibration: a result column; fields: "pressure", "plastic_work", ...
+  FigureKind kind{};
+  std::string x;  ///< a quantity, where the kind has one
+  std::string y;  ///< a result column, or a field: "pressure", "plastic_work", ...
 };
 
 /// A critical value that the study looks for ([search]): the smallest `critical` that has `outcome`.

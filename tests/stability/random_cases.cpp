@@ -3,6 +3,7 @@
 #include <random>
 #include <sstream>
 
+#include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "tests/stability/case.hpp"
 
@@ -58,11 +59,9 @@ mpm::Scene draw(Dice& d) {
       d.chance(0.2) ? s.cavity_radius : d.between(s.cavity_radius, s.block_height - s.cavity_radius);
   s.inner_radius = scale * d.between(0.2, 1);
   s.outer_radius = s.inner_radius * d.between(1.4, 3);
-  double smallest = std::min(s.block_width, s.block_height) / 8;
-  if (s.kind == mpm::SceneKind::cavity_impact) smallest = std::min(smallest, s.cavity_radius);
-  if (s.kind == mpm::SceneKind::imploding_shell)
-    smallest = std::min(s.inner_radius, (s.outer_radius - s.inner_radius) / 4);
-  s.numerics.cell_size = smallest * d.between(0.4, 1);
+  // One that is too coarse for this kind of scene is drawn again.
+  const mpm::Extent whole = mpm::kind_of(s).extent(s);
+  s.numerics.cell_size = std::min(whole.width, whole.height) / 8 * d.log_between(0.3, 1);
   s.end_time = d.log_between(0.1, 10) * scale / m.bulk_sound_speed;
   s.measures.area_every = s.end_time / 20;
   return s;

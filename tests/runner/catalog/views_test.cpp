@@ -4,11 +4,15 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
+#include "libmpm/core/enumerators.hpp"
 #include "libmpm/measure/results.hpp"
 #include "runner/catalog/query.hpp"
+#include "runner/catalog/schema.hpp"
 #include "runner/catalog/writer.hpp"
 #include "tests/runner/fakes.hpp"
 
@@ -130,6 +134,37 @@ TEST_F(Views, what_a_scene_lacks_is_null) {
   EXPECT_EQ(row[6], SqlValue("aluminium"));
   EXPECT_EQ(row[7], SqlValue("planar"));
   EXPECT_EQ(row[8], SqlValue(1.0));
+}
+
+// Words and names that stand in SQL are those of the program.
+TEST(Schema, ChecksAllowTheWordsOfTheirEnums) {
+  std::map<std::string, std::set<std::string>> allowed;
+  const std::regex check(R"(CHECK \((\w+) IN \(([^)]*)\)\))"), word("'([^']*)'");
+  for (const Migration& migration : current_catalog_schema().migrations) {
+    const std::string sql(migration.sql);
+    for (std::sregex_iterator it(sql.begin(), sql.end(), check), end; it != end; ++it) {
+      const std::string list = (*it)[2];
+      for (std::sregex_iterator w(list.begin(), list.end(), word); w != end; ++w)
+        allowed[(*it)[1]].insert((*w)[1]);
+    }
+  }
+  std::map<std::string, std::set<std::string>> words;
+  for (std::size_t i = 0; i < mpm::enumerators<JobStatus>(); ++i)
+    words["status"].emplace(to_string(static_cast<JobStatus>(i)));
+  for (std::size_t i = 0; i < mpm::enumerators<FailureKind>(); ++i)
+    words["failure_kind"].emplace(to_string(static_cast<FailureKind>(i)));
+  EXPECT_EQ(allowed, words);
+}
+
+TEST(Schema, ViewsNameMetricsThatThereAre) {
+  const std::string sql = view_sql({});
+  const std::regex named(R"(c\.name = '([^']*)')");
+  int count = 0;
+  for (std::sregex_iterator it(sql.begin(), sql.end(), named), end; it != end; ++it, ++count) {
+    const mpm::ResultRow* row = mpm::find_result((*it)[1].str());
+    EXPECT_TRUE(row && row->metric) << (*it)[1];
+  }
+  EXPECT_GT(count, 2);
 }
 
 }  // namespace

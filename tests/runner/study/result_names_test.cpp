@@ -187,6 +187,9 @@ TEST(ResultsTable, NamesAreUnique) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_FALSE(row.meaning.empty()) << row.name;
     EXPECT_TRUE(row.metric || row.column) << row.name;
+    for (const std::string_view other :
+         {row.difference, row.scatter, row.lost_share_of[0], row.lost_share_of[1]})
+      EXPECT_TRUE(other.empty() || mpm::find_result(other)) << row.name << ": " << other;
   }
 }
 

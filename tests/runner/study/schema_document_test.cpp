@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "libmpm/io/fields.hpp"
+#include "runner/study/figure_kinds.hpp"
 #include "runner/study/schema.hpp"
 
 namespace mpmstudy {
@@ -78,6 +79,12 @@ TEST(StudiesReadme, FieldsAreThoseOfSnapshots) {
   std::string text = page("README.md");
   std::ranges::replace(text, '\n', ' ');
   EXPECT_NE(text.find(fields), std::string::npos) << "put this into studies/README.md:\n" << fields;
+}
+
+TEST(StudiesReadme, NamesEveryKindOfFigure) {
+  for (const FigureKindRow& row : figure_kinds)
+    EXPECT_NE(page("README.md").find("| `\"" + std::string(row.word) + "\"` |"), std::string::npos)
+        << row.word;
 }
 
 TEST(StudiesReadme, NamesEveryKeyAndTable) {
