@@ -85,7 +85,8 @@ BasicState<axes> checked_body(const Scene& scene, BasicState<axes> body) {
   const std::size_t n = body.particles.size();
   if (body.velocity_gradient.empty()) body.velocity_gradient.assign(n, Mat<axes>::Zero());
   refuse(find_problems(scene, body));
-  body.particles.keep(state_columns(scene.material));
+  for (std::size_t m = 0; m < material_count(scene); ++m)
+    body.particles.keep(state_columns(material_of(scene, m)));
   return body;
 }
 
@@ -107,13 +108,16 @@ struct BasicSimulation<axes>::Parts {
       : scene(s),
         state(std::move(body)),
         stepper(stepper_for<axes>(s)),
-        temperature(s.material),
+        temperatures(temperatures_of(s)),
         balance(state),
         health(s, state, speed),
         schedule(s) {
     // Before the first step nothing is stressed: the fastest signal is that of the impact, with its
     // viscosity.
-    signal = 3 * (sound_speed_at_rest(s.material) + speed);
+    double sound = 0;
+    for (std::size_t m = 0; m < material_count(s); ++m)
+      sound = std::max(sound, sound_speed_at_rest(material_of(s, m)));
+    signal = 3 * (sound + speed);
   }
 
   bool decided() const {
@@ -134,7 +138,7 @@ struct BasicSimulation<axes>::Parts {
   Scene scene;
   State state;
   std::unique_ptr<Stepper> stepper;
-  Temperature temperature;
+  std::vector<Temperature> temperatures;
   std::vector<std::unique_ptr<Measurement>> measurements;
   BasicBalance<axes> balance;
   Health health;
@@ -180,7 +184,7 @@ void BasicSimulation<axes>::Parts::observe(Observer& observer) {
   const bool snapshot = schedule.snapshot_due(state.time);
   if (sample_now || snapshot) stepper->refresh_particles(state);
   if (sample_now) sample(observer);
-  if (snapshot) observer.on_snapshot(snapshot_of(state, temperature));
+  if (snapshot) observer.on_snapshot(snapshot_of(state, temperatures));
 }
 
 /// One step, and the measurements that look at every step. Where it ends at `due`, it does to the last bit.
@@ -212,7 +216,7 @@ void BasicSimulation<axes>::Parts::step(Observer& observer) {
   if (failed()) {
     stepper->refresh_particles(state);
     reason = health.describe(trouble, state, balance.energy_error());
-    observer.on_snapshot(snapshot_of(state, temperature));  // to look at what went wrong
+    observer.on_snapshot(snapshot_of(state, temperatures));  // to look at what went wrong
     return;
   }
   observe(observer);

@@ -166,7 +166,7 @@ int particles_per_edge(const Numerics& n, int axes) {
 }
 
 template <int axes>
-void fill(BasicState<axes>& s, const BasicBody<axes>& body, const Scene& scene) {
+void fill(BasicState<axes>& s, const BasicBody<axes>& body, const Scene& scene, std::size_t material) {
   const auto& grid = s.grid;
   const int side = particles_per_edge(scene.numerics, axes);
   const double bottom = body.region.low.y() + body.place.y() - grid.origin().y();
@@ -176,16 +176,25 @@ void fill(BasicState<axes>& s, const BasicBody<axes>& body, const Scene& scene) 
                      " to " + std::to_string(top));
   const double height = grid.cell().y();
   const std::size_t before = s.particles.size();
-  fill_rows(s, body, scene.material.reference_density, side,
+  std::vector<std::size_t>& ends = s.particles.material_ends;
+  if (ends.size() > material + 1)
+    throw InputError("material = " + std::to_string(material) + ": must be " +
+                     std::to_string(ends.size() - 1) +
+                     " or more: bodies are filled in the order of their materials");
+  fill_rows(s, body, material_of(scene, material).reference_density, side,
             std::max(0, static_cast<int>(std::floor(bottom / height + rounding))),
             static_cast<int>(std::ceil(top / height - rounding)));
   if (s.particles.size() == before)
     throw InputError("a body lies outside of the grid, or is too small for it");
+  if (material > 0 || !ends.empty()) {
+    ends.resize(material + 1, before);
+    ends.back() = s.particles.size();
+  }
   refuse_overlap<axes>(s, before, grid.cell() / side);
 }
 
-template void fill(State&, const Body&, const Scene&);
-template void fill(BasicState<3>&, const BasicBody<3>&, const Scene&);
+template void fill(State&, const Body&, const Scene&, std::size_t);
+template void fill(BasicState<3>&, const BasicBody<3>&, const Scene&, std::size_t);
 template void fill_rows(State&, const Body&, double, int, int, int);
 template void fill_rows(BasicState<3>&, const BasicBody<3>&, double, int, int, int);
 

@@ -30,10 +30,12 @@ BasicState<3> empty_state(Vec3 low, Vec3 cell, int columns, int slices, Floor fl
 /// Adds the particles of a body, on a square lattice of particles_per_cell, at the density of rest. A
 /// particle whose share of the lattice the rim cuts gets the mass and the centroid of what is left of it;
 /// shares below a twentieth, of three axes 0.011, are dropped. What lies beyond the sides or the floor of the
-/// grid is left out: it is the image of what lies before them. Throws InputError where the region is not
-/// bounded, nothing of it lies in the grid, or other particles are there already.
+/// grid is left out: it is the image of what lies before them. `material`: its number in the scene
+/// (material_of()); bodies are filled in the order of their materials. Throws InputError where the region is
+/// not bounded, nothing of it lies in the grid, or other particles are there already.
 template <int axes>
-void fill(BasicState<axes>&, const BasicBody<axes>&, const Scene& material_and_numerics);
+void fill(BasicState<axes>&, const BasicBody<axes>&, const Scene& materials_and_numerics,
+          std::size_t material = 0);
 
 /// The same for all that the region has in rows of cells [first, last), without looking at what is there:
 /// density [kg/m^3], particles along the edge of a cell.

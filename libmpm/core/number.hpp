@@ -17,6 +17,9 @@ struct Number;
 template <>
 struct Number<double> {
   using Scalar = double;
+  static constexpr int width = 1;  ///< lanes
+  static MPM_INLINE double lane(double a, int) { return a; }
+  static MPM_INLINE void set_lane(double& a, int, double v) { a = v; }
   static MPM_INLINE double square_root(double a) { return std::sqrt(a); }
   /// ln(1 + a)
   static MPM_INLINE double logarithm_of_one_plus(double a) { return std::log1p(a); }

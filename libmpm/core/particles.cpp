@@ -19,33 +19,45 @@ std::span<double> BasicParticles<axes>::own_values(std::string_view name) {
 
 template <int axes>
 void BasicParticles<axes>::keep(std::span<const StateColumn> columns) {
-  if (own.empty())
-    for (const StateColumn& column : columns) {
-      const int each = numbers_in(column.form, axes);
-      own.push_back(
-          {std::string(column.name), each, std::vector<double>(size() * static_cast<std::size_t>(each))});
-    }
-  const auto same = [&](const MaterialColumn& mine, const StateColumn& column) {
-    return mine.name == column.name && mine.each == numbers_in(column.form, axes) &&
-           mine.values.size() == size() * static_cast<std::size_t>(mine.each);
-  };
-  if (!std::ranges::equal(own, columns, same))
-    throw std::logic_error("the particles have columns of another material model");
-}
-
-template <int axes>
-void BasicParticles<axes>::read_own(std::size_t p, double* to) const {
-  for (const MaterialColumn& column : own) {
-    const auto each = static_cast<std::size_t>(column.each);
-    to = std::copy_n(&column.values[p * each], each, to);
+  for (const StateColumn& column : columns) {
+    const auto each = static_cast<std::size_t>(numbers_in(column.form, axes));
+    const auto found = std::ranges::find(own, column.name, &MaterialColumn::name);
+    if (found == own.end())
+      own.push_back({std::string(column.name), static_cast<int>(each), std::vector<double>(size() * each)});
+    else if (found->each != static_cast<int>(each) || found->values.size() != size() * each)
+      throw std::logic_error("the particles have another column " + found->name);
   }
 }
 
 template <int axes>
-void BasicParticles<axes>::write_own(std::size_t p, const double* from) {
-  for (MaterialColumn& column : own) {
-    const auto each = static_cast<std::size_t>(column.each);
-    std::copy_n(from, each, &column.values[p * each]);
+auto BasicParticles<axes>::range_of(std::size_t material) const -> Range {
+  if (material_ends.empty()) return {0, material == 0 ? size() : 0};
+  return {material == 0 ? 0 : material_ends.at(material - 1), material_ends.at(material)};
+}
+
+template <int axes>
+std::size_t BasicParticles<axes>::material_of(std::size_t p) const {
+  const auto end = std::ranges::upper_bound(material_ends, p);
+  return static_cast<std::size_t>(end - material_ends.begin());
+}
+
+template <int axes>
+OwnNumbers::OwnNumbers(BasicParticles<axes>& ps, std::span<const StateColumn> columns) {
+  for (const StateColumn& column : columns)
+    columns_.push_back(&*std::ranges::find(ps.own, column.name, &MaterialColumn::name));
+}
+
+void OwnNumbers::read(std::size_t p, double* to) const {
+  for (const MaterialColumn* column : columns_) {
+    const auto each = static_cast<std::size_t>(column->each);
+    to = std::copy_n(&column->values[p * each], each, to);
+  }
+}
+
+void OwnNumbers::write(std::size_t p, const double* from) const {
+  for (MaterialColumn* column : columns_) {
+    const auto each = static_cast<std::size_t>(column->each);
+    std::copy_n(from, each, &column->values[p * each]);
     from += each;
   }
 }
@@ -95,6 +107,8 @@ void carry_particles(BasicParticles<axes>& ps, Archive& a) {
 
 template struct BasicParticles<2>;
 template struct BasicParticles<3>;
+template OwnNumbers::OwnNumbers(BasicParticles<2>&, std::span<const StateColumn>);
+template OwnNumbers::OwnNumbers(BasicParticles<3>&, std::span<const StateColumn>);
 template void carry_particles(BasicParticles<2>&, Archive&);
 template void carry_particles(BasicParticles<3>&, Archive&);
 

@@ -27,7 +27,10 @@ struct BasicParticles {
   std::vector<Vector> half_size;         ///< of the particle's domain [m]
   /// Half edges of the particle's parallelogram, as columns [m]; empty with schemes that have none (Cpdi).
   std::vector<Mat<axes>> domain;
-  std::vector<MaterialColumn> own;  ///< what the material model keeps beside these; see keep()
+  std::vector<MaterialColumn> own;  ///< what the material models keep beside these; see keep()
+  /// Where the particles of each material end: those of material m are next to each other and begin where
+  /// those of m - 1 end. Empty: all are of material 0.
+  std::vector<std::size_t> material_ends;
   /// Velocity gradient that the particle carries [1/s], and the kinetic energy of that motion [J/kg]; empty
   /// with transfers that carry none (Apic).
   std::vector<Mat<axes>> affine;
@@ -52,18 +55,33 @@ struct BasicParticles {
   /// The values of a column of the material; empty where the model has none of that name.
   std::span<const double> own_values(std::string_view name) const;
   std::span<double> own_values(std::string_view name);
-  /// Gives the particles the columns of a model, where they have none yet. Throws std::logic_error where they
-  /// have those of another model.
+  /// Gives the particles the columns of a model, as far as they lack them. Throws std::logic_error where a
+  /// column of that name is of another form or length.
   void keep(std::span<const StateColumn> columns);
-  /// The numbers of a particle's own columns, one column after the other.
-  void read_own(std::size_t p, double* to) const;
-  void write_own(std::size_t p, const double* from);
+  struct Range {
+    std::size_t first, last;  ///< [first, last)
+  };
+  Range range_of(std::size_t material) const;
+  std::size_t material_of(std::size_t p) const;
 
   void reserve(std::size_t n);
   /// Adds a particle at rest, without stress.
   void add(Vector x, Vector v, double m, double v0, Vector half);
 };
 using Particles = BasicParticles<2>;
+
+/// The columns of a model among those of the particles, which must have them (keep()) and must outlive it.
+class OwnNumbers {
+ public:
+  template <int axes>
+  OwnNumbers(BasicParticles<axes>&, std::span<const StateColumn>);
+  /// All numbers of a particle, one column after the other.
+  void read(std::size_t p, double* to) const;
+  void write(std::size_t p, const double* from) const;
+
+ private:
+  std::vector<MaterialColumn*> columns_;
+};
 
 template <int axes>
 void carry_particles(BasicParticles<axes>&, Archive&);

@@ -5,7 +5,7 @@
 namespace mpm {
 
 template <int axes>
-Snapshot snapshot_of(const BasicState<axes>& state, const Temperature& temperature) {
+Snapshot snapshot_of(const BasicState<axes>& state, std::span<const Temperature> temperatures) {
   const std::size_t n = state.particles.size();
   Snapshot s;
   s.time = state.time;
@@ -18,12 +18,13 @@ Snapshot snapshot_of(const BasicState<axes>& state, const Temperature& temperatu
     if (axes == 2 && field.only_of_three_axes()) continue;
     std::vector<double>& values = s.*field.values;
     values.reserve(n);
-    for (std::size_t p = 0; p < n; ++p) values.push_back(field.of(state, p, temperature));
+    for (std::size_t p = 0; p < n; ++p)
+      values.push_back(field.of(state, p, temperatures[state.particles.material_of(p)]));
   }
   return s;
 }
 
-template Snapshot snapshot_of(const State&, const Temperature&);
-template Snapshot snapshot_of(const BasicState<3>&, const Temperature&);
+template Snapshot snapshot_of(const State&, std::span<const Temperature>);
+template Snapshot snapshot_of(const BasicState<3>&, std::span<const Temperature>);
 
 }  // namespace mpm

@@ -5,8 +5,8 @@
 
 namespace mpm {
 
-/// The fields of all particles, in the words of users.
+/// The fields of all particles, in the words of users; a temperature for each material.
 template <int axes>
-Snapshot snapshot_of(const BasicState<axes>&, const Temperature&);
+Snapshot snapshot_of(const BasicState<axes>&, std::span<const Temperature>);
 
 }  // namespace mpm

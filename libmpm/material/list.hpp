@@ -5,8 +5,14 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "libmpm/material/eos/mie_grueneisen.hpp"
+#include "libmpm/material/eos/stiffened_gas.hpp"
 #include "libmpm/material/neo_hookean.hpp"
 #include "libmpm/material/solid.hpp"
+#include "libmpm/material/strength/failing.hpp"
+#include "libmpm/material/strength/fluid.hpp"
+#include "libmpm/material/strength/j2.hpp"
+#include "libmpm/material/strength/johnson_cook.hpp"
 
 namespace mpm {
 
@@ -16,11 +22,19 @@ struct ModelList {
 };
 
 template <class Real>
-using CompiledModels = ModelList<  //
-    Solid<Real, Elastic, false>,   //
-    Solid<Real, IsotropicHardening, false>, Solid<Real, KinematicHardening, false>,
-    Solid<Real, Elastic, true>,  //
-    Solid<Real, IsotropicHardening, true>, Solid<Real, KinematicHardening, true>, NeoHookean<Real>>;
+using CompiledModels = ModelList<
+    // those that fail come before the same ones that do not
+    Solid<Real, MieGrueneisenEos, Failing<IsotropicHardening>>,
+    Solid<Real, MieGrueneisenEos, Failing<KinematicHardening>>,
+    Solid<Real, MieGrueneisenEos, Failing<JohnsonCook>>,  //
+    Solid<Real, MieGrueneisenEos, Elastic>, Solid<Real, MieGrueneisenEos, IsotropicHardening>,
+    Solid<Real, MieGrueneisenEos, KinematicHardening>, Solid<Real, MieGrueneisenEos, JohnsonCook>,
+    Solid<Real, MieGrueneisenEos, Fluid>,  //
+    Solid<Real, MieGrueneisenWithLinearTension, Elastic>,
+    Solid<Real, MieGrueneisenWithLinearTension, IsotropicHardening>,
+    Solid<Real, MieGrueneisenWithLinearTension, KinematicHardening>,  //
+    Solid<Real, StiffenedGas, Fluid>,                                 //
+    NeoHookean<Real>>;
 
 namespace detail {
 template <class Use, class... Models>
@@ -46,6 +60,13 @@ void with_model_type(const Material& m, Use use) {
 template <class Real, class Use>
 void with_model(const MaterialModel& m, Use use) {
   with_model_type<Real>(m.material, [&]<class Model>(std::size_t place) { use(Model(m), place); });
+}
+
+/// Whether a model of the list is that of the material.
+inline bool is_compiled(const Material& m) {
+  return []<class... Models>(const Material& material, ModelList<Models...>) {
+    return (Models::fits(material) || ...);
+  }(m, CompiledModels<double>{});
 }
 
 /// The most numbers that a compiled model keeps of a particle.

@@ -18,6 +18,8 @@ double Material::hardening_per_equivalent_strain() const {
   return hardening_modulus;
 }
 
+bool has_model(const Material& m) { return is_compiled(m); }
+
 double sound_speed_at_rest(const Material& m) {
   double speed = 0;
   with_model_type<double>(m, [&]<class Model>(std::size_t) { speed = Model::sound_speed_at_rest(m); });
@@ -26,6 +28,12 @@ double sound_speed_at_rest(const Material& m) {
 
 double shock_speed(const Material& m, double particle_speed) {
   if (m.law != MaterialLaw::solid) return sound_speed_at_rest(m);
+  if (m.eos == EquationOfState::stiffened_gas) {
+    // mass and momentum with P = (gamma - 1) rho e + gamma P_inf mu: Us is the larger root of
+    //   Us^2 - (gamma + 1) / 2 up Us - c0^2 = 0
+    const double half = 0.25 * (m.adiabatic_index + 1) * particle_speed;
+    return half + std::sqrt(half * half + m.adiabatic_index * m.stiffening_pressure / m.reference_density);
+  }
   return m.bulk_sound_speed + m.hugoniot_slope * particle_speed;
 }
 

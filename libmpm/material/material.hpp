@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,10 +29,25 @@ enum class MaterialLaw {
   neo_hookean,  ///< elastic at any strain, without heat: neo_hookean.hpp
 };
 
+/// What pressure follows from, in a solid or a fluid.
+enum class EquationOfState {
+  mie_grueneisen,  ///< on a linear Us-Up Hugoniot: eos/mie_grueneisen.hpp
+  stiffened_gas,   ///< eos/stiffened_gas.hpp
+};
+
+/// What the deviator follows from.
+enum class StrengthModel {
+  von_mises,     ///< with linear hardening: strength/j2.hpp
+  johnson_cook,  ///< strength/johnson_cook.hpp
+  none,          ///< a fluid: there is no deviator
+};
+
 /// Everything that a scene says about its material. SI units. Plain data; kernels build their own from it.
 struct Material {
   std::string name = "aluminium";
   MaterialLaw law = MaterialLaw::solid;
+  EquationOfState eos = EquationOfState::mie_grueneisen;
+  StrengthModel strength = StrengthModel::von_mises;
   double reference_density = 0;  ///< rho0 [kg/m^3]
   double youngs_modulus = 0;     ///< E [Pa]
   double poissons_ratio = 0;     ///< nu [1]
@@ -47,10 +63,24 @@ struct Material {
   double pressure_limit = 0;       ///< upper end of the validity of the equation of state [Pa]
   Tension tension = Tension::polynomial;
   double spall_strength = 0;  ///< [Pa], positive; used by Tension::cutoff only
+  /// Equivalent plastic strain at which the material loses its deviator and its tension [1]; infinite: never.
+  double failure_strain = std::numeric_limits<double>::infinity();
+  // Of the stiffened gas.
+  double adiabatic_index = 0;      ///< gamma [1], > 1
+  double stiffening_pressure = 0;  ///< P_inf [Pa]
+  // Of Johnson-Cook; A is yield_stress, the lowest temperature initial_temperature.
+  double strain_hardening = 0;       ///< B [Pa]
+  double hardening_exponent = 0;     ///< n [1]
+  double rate_hardening = 0;         ///< C [1]
+  double reference_strain_rate = 0;  ///< [1/s]
+  double softening_exponent = 0;     ///< m [1]
+  double melting_temperature = 0;    ///< [K]
 
+  bool fails() const { return std::isfinite(failure_strain); }
   /// Whether hardening moves the yield surface: only then there is a back stress.
   bool hardens_kinematically() const {
-    return std::isfinite(yield_stress) && kinematic_fraction > 0 && hardening_modulus > 0;
+    return strength == StrengthModel::von_mises && std::isfinite(yield_stress) && kinematic_fraction > 0 &&
+           hardening_modulus > 0;
   }
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }  ///< G [Pa]
   double lame_lambda() const {
@@ -59,6 +89,8 @@ struct Material {
   double hardening_per_equivalent_strain() const;  ///< H [Pa]
 };
 
+/// Whether there is a model of it: not every strength goes with every equation of state and tension.
+bool has_model(const Material&);
 /// Longitudinal [m/s].
 double sound_speed_at_rest(const Material&);
 /// Of the shock that takes material at rest to this particle speed [m/s]: by the Hugoniot of the equation of

@@ -12,6 +12,10 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "libmpm/core/state_column.hpp"
 #include "libmpm/core/symmetric.hpp"
@@ -25,6 +29,13 @@ namespace mpm {
 struct MaterialModel {
   Material material;
   ArtificialViscosity viscosity;
+};
+
+/// Of the materials of a scene, in the order of BasicParticles::material_ends.
+struct MaterialModels {
+  std::vector<MaterialModel> of;
+  MaterialModels(MaterialModel one) : of{std::move(one)} {}
+  explicit MaterialModels(std::vector<MaterialModel> all) : of(std::move(all)) {}
 };
 
 /// Models that need all of dt L say so: `static constexpr bool asks_for_displacement = true`.
@@ -86,7 +97,7 @@ concept MaterialModelOver = requires(const M m, const Point<N, typename S::templ
   /// / (2 rho), takes from this very pressure, as a share of it. Zero for a pressure that does not depend on
   /// the energy.
   { m.implicit(n, n) } -> std::same_as<N>;
-  { m.shear(point, strain) } -> std::same_as<void>;
+  { m.shear(point, strain, dt) } -> std::same_as<void>;  // dt: one over it
   { m.bulk(point, strain, dt) } -> std::same_as<Signal<N>>;
   /// The columns that it keeps of a particle.
   { M::state } -> std::convertible_to<std::span<const StateColumn>>;

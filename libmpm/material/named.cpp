@@ -25,7 +25,39 @@ constexpr Named by_shear_modulus[] = {
     {"copper", 8930, 47.7e9, 120e6, 3940, 1.489, 2.02, 383, 300, 200e9},  // OFHC, half hard
     {"tungsten", 19300, 160e9, 2200e6, 4030, 1.237, 1.67, 129, 300, 200e9},
     {"tantalum", 16690, 69e9, 770e6, 3410, 1.20, 1.67, 140, 300, 200e9},
+    // Hugoniot: Barker & Hollenbach 1970, J. Appl. Phys. 41, 4208, and Marsh 1980; G, yield stress: Steinberg
+    {"pmma", 1186, 2.32e9, 420e6, 2598, 1.516, 0.97, 1466, 300, 20e9},
+    // nearly iron. Hugoniot: Selected Hugoniots, LA-4167-MS, 1969; its strength stands below
+    {"steel-1006", 7896, 81.8e9, 350e6, 4569, 1.49, 2.17, 452, 300, 150e9},
 };
+
+/// Strength of Johnson & Cook 1983, Proc. 7th Int. Symp. Ballistics, 541, tables 1 and 2; the rest is that of
+/// the named material `like`.
+struct NamedJohnsonCook {
+  std::string_view name, like;
+  double a, b, n, c, m, melting_temperature;  ///< Pa, Pa, 1, 1, 1, K
+};
+constexpr NamedJohnsonCook of_johnson_cook[] = {
+    {"copper-johnson-cook", "copper", 90e6, 292e6, 0.31, 0.025, 1.09, 1356},
+    {"steel-1006", "steel-1006", 350e6, 275e6, 0.36, 0.022, 1.00, 1811},
+};
+
+/// Liquid water, a stiffened gas: O. Le Metayer, J. Massoni, R. Saurel 2004, Int. J. Thermal Sci. 43, 265;
+/// its tension is cut off at 0: it cavitates.
+Material water() {
+  Material m;
+  m.name = "water";
+  m.eos = EquationOfState::stiffened_gas;
+  m.strength = StrengthModel::none;
+  m.reference_density = 1000;
+  m.adiabatic_index = 2.35;
+  m.stiffening_pressure = 1e9;
+  m.specific_heat = 1816;
+  m.initial_temperature = 300;
+  m.pressure_limit = 10e9;
+  m.tension = Tension::cutoff;
+  return m;
+}
 
 /// [Xu2007, section 3], with E in GPa (the paper prints "Mpa"); c_v and T0 are those of the physics brief.
 Material aluminium() {
@@ -65,20 +97,34 @@ Material from(const Named& row) {
   return m;
 }
 
-constexpr auto names = [] {
-  std::array<std::string_view, 1 + std::size(by_shear_modulus)> all{"aluminium"};
-  std::ranges::transform(by_shear_modulus, all.begin() + 1, &Named::name);
-  return all;
-}();
+Material from(const NamedJohnsonCook& row, Material m) {
+  m.name = row.name;
+  m.strength = StrengthModel::johnson_cook;
+  m.yield_stress = row.a;
+  m.strain_hardening = row.b;
+  m.hardening_exponent = row.n;
+  m.rate_hardening = row.c;
+  m.reference_strain_rate = 1;
+  m.softening_exponent = row.m;
+  m.melting_temperature = row.melting_temperature;
+  return m;
+}
+
+constexpr auto names =
+    std::to_array<std::string_view>({"aluminium", "aluminium-6061-t6", "copper", "tungsten", "tantalum",
+                                     "pmma", "steel-1006", "copper-johnson-cook", "water"});
 
 }  // namespace
 
 Material named_material(std::string_view name) {
-  if (name == names[0]) return aluminium();
-  const auto row = std::ranges::find(by_shear_modulus, name, &Named::name);
+  if (name == "aluminium") return aluminium();
+  if (name == "water") return water();
+  const auto jc = std::ranges::find(of_johnson_cook, name, &NamedJohnsonCook::name);
+  const std::string_view constants = jc == std::end(of_johnson_cook) ? name : jc->like;
+  const auto row = std::ranges::find(by_shear_modulus, constants, &Named::name);
   if (row == std::end(by_shear_modulus))
     throw std::out_of_range("no material named '" + std::string(name) + "'");
-  return from(*row);
+  return jc == std::end(of_johnson_cook) ? from(*row) : from(*jc, from(*row));
 }
 
 std::span<const std::string_view> material_names() { return names; }

@@ -52,7 +52,7 @@ struct NeoHookean {
   }
 
   template <class N, class Tensor, class Space, class Displacement>
-  MPM_INLINE void shear(const Point<N, Tensor>& p, const Strain<N, Space, Displacement>& e) const {
+  MPM_INLINE void shear(const Point<N, Tensor>& p, const Strain<N, Space, Displacement>& e, Real) const {
     typename Space::template Symmetric<N> b;
     load(p.own, b);
     b = carried(e.displacement, b);

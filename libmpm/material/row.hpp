@@ -2,6 +2,7 @@
 /// The constants of a material as rows of the table of parameters. A model lists those that it reads beside
 /// its formulas; rows.cpp has the list of lists.
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -30,6 +31,7 @@ struct MaterialRow {
   MaterialUse use{};
   std::string_view symbol = "";
   Section section = Section::material;
+  std::optional<double> implied = {};  ///< see Quantity::implied
 };
 
 struct MaterialChoice {

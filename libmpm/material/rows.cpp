@@ -2,13 +2,21 @@
 #include <array>
 
 #include "libmpm/material/eos/mie_grueneisen.hpp"
+#include "libmpm/material/eos/stiffened_gas.hpp"
 #include "libmpm/material/eos/temperature.hpp"
 #include "libmpm/material/row.hpp"
+#include "libmpm/material/strength/failing.hpp"
 #include "libmpm/material/strength/j2.hpp"
+#include "libmpm/material/strength/johnson_cook.hpp"
 
 namespace mpm {
 namespace {
 
+constexpr auto eos_words = words<EquationOfState>(
+    {{EquationOfState::mie_grueneisen, "mie-grueneisen"}, {EquationOfState::stiffened_gas, "stiffened-gas"}});
+constexpr auto strength_words = words<StrengthModel>({{StrengthModel::von_mises, "von-mises"},
+                                                      {StrengthModel::johnson_cook, "johnson-cook"},
+                                                      {StrengthModel::none, "none"}});
 constexpr auto law_words =
     words<MaterialLaw>({{MaterialLaw::solid, "solid"}, {MaterialLaw::neo_hookean, "neo-hookean"}});
 
@@ -24,6 +32,13 @@ constexpr MaterialChoice choices_of_all[] = {
      [](Material& m, std::size_t i) { m.law = static_cast<MaterialLaw>(i); },
      {},
      "solid"},
+    {"eos", "equation of state", eos_words, [](const Material& m) { return static_cast<std::size_t>(m.eos); },
+     [](Material& m, std::size_t i) { m.eos = static_cast<EquationOfState>(i); }, law_is_solid,
+     "mie-grueneisen"},
+    {"strength", "what the deviator follows from; none: a fluid", strength_words,
+     [](const Material& m) { return static_cast<std::size_t>(m.strength); },
+     [](Material& m, std::size_t i) { m.strength = static_cast<StrengthModel>(i); }, law_is_solid,
+     "von-mises"},
 };
 
 template <class Row, std::size_t... sizes>
@@ -38,7 +53,8 @@ constexpr auto joined(const Row (&... lists)[sizes]) {
 }
 
 /// A list more for a model with constants of its own.
-constexpr auto rows = joined(rows_of_all, j2_rows, mie_grueneisen_rows, temperature_rows, tension_rows);
+constexpr auto rows = joined(rows_of_all, j2_rows, mie_grueneisen_rows, temperature_rows, tension_rows,
+                             failure_rows, johnson_cook_rows, stiffened_gas_rows);
 constexpr auto choices = joined(tension_choices, j2_choices, choices_of_all);
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "libmpm/scene/build.hpp"
 
 #include "libmpm/body/fill.hpp"
+#include "libmpm/core/errors.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 
 namespace mpm {
@@ -39,6 +40,25 @@ double initial_speed(const Scene& s) { return kind_of(s).fastest(s); }
 
 MaterialModel build_material(const Scene& s) {
   return {s.material, {s.numerics.linear_viscosity, s.numerics.quadratic_viscosity, s.numerics.cell_size}};
+}
+
+const Material& material_of(const Scene& s, std::size_t index) {
+  if (index >= material_count(s))
+    throw InputError("material = " + std::to_string(index) + ": must be below " +
+                     std::to_string(material_count(s)) + ", the number of materials of the scene");
+  return index == 0 ? s.material : s.other_materials[index - 1];
+}
+
+MaterialModels build_materials(const Scene& s) {
+  MaterialModels models(build_material(s));
+  for (const Material& m : s.other_materials) models.of.push_back({m, models.of[0].viscosity});
+  return models;
+}
+
+std::vector<Temperature> temperatures_of(const Scene& s) {
+  std::vector<Temperature> all;
+  for (std::size_t m = 0; m < material_count(s); ++m) all.emplace_back(material_of(s, m));
+  return all;
 }
 
 template Lattice lattice_of(const Scene&);

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "libmpm/material/eos/temperature.hpp"
 #include "libmpm/scene/scene.hpp"
 #include "libmpm/step/state.hpp"
 
@@ -30,7 +31,10 @@ BasicLattice<axes> lattice_of(const Scene&);
 /// shares are dropped, see body/fill.hpp.
 template <int axes = 2>
 BasicState<axes> build_state(const Scene&);
-MaterialModel build_material(const Scene&);
+MaterialModel build_material(const Scene&);  ///< of `material`
+MaterialModels build_materials(const Scene&);
+/// A temperature for each material.
+std::vector<Temperature> temperatures_of(const Scene&);
 /// What is wrong with a body that was made by hand, and with what a scene says of its material, numerics,
 /// measures and end.
 template <int axes>

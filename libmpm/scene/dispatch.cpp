@@ -25,10 +25,10 @@ std::unique_ptr<BasicStepper<Space::axes>> reference_stepper_in(const Scene& s) 
     throw std::logic_error("a scheme that this space does not have");
   } else {
     if (s.numerics.transfer == Transfer::apic)
-      return std::make_unique<ReferenceStepper<Shape, Apic, Space>>(build_material(s));
+      return std::make_unique<ReferenceStepper<Shape, Apic, Space>>(build_materials(s));
     const double f = s.numerics.pic_fraction;
-    if (f == 0) return std::make_unique<ReferenceStepper<Shape, Flip, Space>>(build_material(s));
-    return std::make_unique<ReferenceStepper<Shape, FlipPic, Space>>(build_material(s), FlipPic{f});
+    if (f == 0) return std::make_unique<ReferenceStepper<Shape, Flip, Space>>(build_materials(s));
+    return std::make_unique<ReferenceStepper<Shape, FlipPic, Space>>(build_materials(s), FlipPic{f});
   }
 }
 
@@ -51,7 +51,8 @@ template <class Real>
 std::unique_ptr<Stepper> fast_stepper_of(const Scene& s) {
   using Fast = fast::FastStepper<Real>;
   const bool gimp = s.numerics.scheme == ShapeFunction::gimp;
-  return std::make_unique<Fast>(build_material(s), gimp ? Fast::Shape::gimp : Fast::Shape::bspline2, s.space);
+  return std::make_unique<Fast>(build_materials(s), gimp ? Fast::Shape::gimp : Fast::Shape::bspline2,
+                                s.space);
 }
 
 /// Every material, and what fast_step_has(); find_problems() refuses the rest.

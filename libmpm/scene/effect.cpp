@@ -23,11 +23,11 @@ constexpr Condition of_scene[] = {
 const std::vector<Condition>& table() {
   static const std::vector<Condition> all = [] {
     std::vector<Condition> conditions(std::begin(of_scene), std::end(of_scene));
-    const auto add = [&](const auto& row) {
-      if (!row.use.when.empty()) conditions.push_back({row.name, row.use.when, row.use, zero});
-    };
-    std::ranges::for_each(material_rows(), add);
-    std::ranges::for_each(material_choices(), add);
+    for (const MaterialRow& row : material_rows())
+      if (!row.use.when.empty())
+        conditions.push_back({row.name, row.use.when, row.use, row.implied.value_or(0)});
+    for (const MaterialChoice& row : material_choices())
+      if (!row.use.when.empty()) conditions.push_back({row.name, row.use.when, row.use, 0.0});
     return conditions;
   }();
   return all;

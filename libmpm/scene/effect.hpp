@@ -2,6 +2,7 @@
 /// Parameters that have an effect under a condition only, such as the spall strength, which nothing reads but
 /// tension = "cutoff". Every other row of the table of parameters decides bits of some stored result in every
 /// scene of its kinds. Checked by tests/libmpm/scene/effect_test.cpp, which runs scenes with and without.
+#include <concepts>
 #include <span>
 #include <string_view>
 
@@ -25,12 +26,26 @@ class Holds {
   bool (*of_material_)(const Material&) = nullptr;
 };
 
+/// What stands in a job's key for a parameter without an effect: a function of the scene, or a number.
+class Inert {
+ public:
+  template <class Function>
+  requires std::convertible_to<Function, double (*)(const Scene&)>
+  constexpr Inert(Function of_scene) : of_scene_(of_scene) {}
+  constexpr Inert(double number) : number_(number) {}
+  double operator()(const Scene& s) const { return of_scene_ ? of_scene_(s) : number_; }
+
+ private:
+  double (*of_scene_)(const Scene&) = nullptr;
+  double number_ = 0;
+};
+
 /// When a parameter has an effect.
 struct Condition {
   std::string_view parameter;  ///< a quantity or a choice of parameters.hpp
   std::string_view when;       ///< for people: "tension = \"cutoff\""
   Holds holds;
-  double (*inert)(const Scene&);  ///< what stands in a job's key where it has none; of a choice: the index
+  Inert inert;  ///< what stands in a job's key where it has none; of a choice: the index
 };
 
 std::span<const Condition> conditions();

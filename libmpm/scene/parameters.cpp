@@ -85,8 +85,8 @@ constexpr Choice common_choices[] = {
 #undef CHOICE
 
 Quantity quantity_of(const MaterialRow& row) {
-  return {row.name,  row.unit, row.symbol, row.column, row.meaning, row.section,
-          row.range, optional, "",         row,        row};
+  return {row.name, row.unit, row.symbol, row.column, row.meaning, row.section, row.range,
+          optional, "",       row,        row,        {},          false,       row.implied};
 }
 Choice choice_of(const MaterialChoice& row) {
   return {row.name, row.name, row.meaning, Section::material, row.allowed, row, row, row.implied};

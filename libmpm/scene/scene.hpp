@@ -92,6 +92,9 @@ struct Measures {
 struct Scene {
   SceneKind kind = SceneKind::cavity_impact;
   Material material;
+  /// Of bodies of one's own alone (fill() and Simulation(scene, body)): materials 1, 2, ... beside
+  /// `material`, which is number 0. See BasicParticles::material_ends.
+  std::vector<Material> other_materials;
   double impact_speed = 0;          ///< u [m/s], > 0
   double block_width = 0;           ///< W [m], the full width also when half of it is modelled
   double block_height = 0;          ///< H [m]
@@ -105,6 +108,10 @@ struct Scene {
   Numerics numerics;
   Measures measures;
 };
+
+inline std::size_t material_count(const Scene& s) { return 1 + s.other_materials.size(); }
+/// Material number `index` of a scene. Throws InputError where there are fewer.
+const Material& material_of(const Scene&, std::size_t index);
 
 /// Whether the fast step knows the space, the scheme and the transfer; if not, the kernel must be the
 /// reference.

@@ -29,6 +29,14 @@ void check_ranges(const Scene& s, Report& report, const Wanted& wanted) {
   }
 }
 
+void check_model(const Scene& s, Report& report) {
+  if (!has_model(s.material)) {
+    const bool gas = s.material.eos == EquationOfState::stiffened_gas;
+    report.add_choice("strength", gas ? "\"none\" with eos = \"stiffened-gas\", and tension not \"linear\""
+                                      : "\"von-mises\", without failure_strain, when tension is \"linear\"");
+  }
+}
+
 void check_numerics(const Scene& s, Report& report) {
   const Numerics& n = s.numerics;
   const int k = n.particles_per_cell;
@@ -60,6 +68,14 @@ void check_numerics(const Scene& s, Report& report) {
   }
   const Material& m = s.material;
   report.require(m.poissons_ratio < 0.5, "poissons_ratio", "0 or more, less than 0.5");
+  if (m.law == MaterialLaw::solid && m.eos == EquationOfState::stiffened_gas)
+    report.require(m.adiabatic_index > 1, "adiabatic_index", "more than 1 with eos = \"stiffened-gas\"");
+  if (m.law == MaterialLaw::solid && m.strength == StrengthModel::johnson_cook) {
+    report.require(m.rate_hardening == 0 || m.reference_strain_rate > 0, "reference_strain_rate",
+                   "more than 0 with a rate_hardening");
+    report.require(m.softening_exponent == 0 || m.melting_temperature > m.initial_temperature,
+                   "melting_temperature", "above initial_temperature with a softening_exponent");
+  }
   report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");
   report.require(m.hardening_measure != HardeningMeasure::tangent || m.hardening_modulus < m.youngs_modulus,
                  "hardening_modulus", "less than youngs_modulus when hardening_measure is \"tangent\"");
@@ -114,6 +130,7 @@ Numerics default_numerics(SceneKind kind, Space space) {
 std::vector<Problem> find_problems(const Scene& s) {
   Report report(s);
   check_ranges(s, report, [&](const Quantity& q) { return q.belongs_to(s.kind); });
+  check_model(s, report);
   if (!report.empty()) return report.take();  // what follows compares numbers that have to be numbers
   if (s.space == Space::three_d && !kind_of(s).of_three_axes.body)
     report.add_choice("space", "\"plane-strain\" or \"axisymmetric\": " + std::string(kind_of(s).name) +
@@ -151,6 +168,11 @@ void check_body(const Scene& s, const BasicState<axes>& body, Report& report) {
     if (size != n)
       return report.add_other("body", text_of(static_cast<double>(size)) + " values in a column",
                               "one value for each of its " + text_of(static_cast<double>(n)) + " particles");
+  const std::vector<std::size_t>& ends = ps.material_ends;
+  require(ends.size() <= material_count(s), text_of(static_cast<double>(ends.size())) + " materials",
+          "of the materials of the scene, which are " + text_of(static_cast<double>(material_count(s))));
+  require(ends.empty() || (ends.back() == n && std::ranges::is_sorted(ends)), "material_ends",
+          "ascending, the last one the number of particles");
   const auto& grid = body.grid;
   for (std::size_t p = 0; p < n; ++p) {
     const Vec<axes>& x = ps.position[p];
@@ -172,10 +194,29 @@ void check_body(const Scene& s, const BasicState<axes>& body, Report& report) {
 
 }  // namespace
 
+namespace {
+
+/// What is wrong with the materials beside the first.
+void check_other_materials(const Scene& s, Report& report) {
+  for (const Material& m : s.other_materials) {
+    Scene alone = s;
+    alone.material = m;
+    Report of_material(alone);
+    check_ranges(alone, of_material, [](const Quantity& q) { return q.section == Section::material; });
+    check_model(alone, of_material);
+    for (const Problem& problem : of_material.take())
+      report.add_other(problem.parameter + " of " + m.name, problem.value, problem.allowed);
+  }
+}
+
+}  // namespace
+
 template <int axes>
 std::vector<Problem> find_problems(const Scene& s, const BasicState<axes>& body) {
   Report report(s);
   check_ranges(s, report, of_all_kinds);
+  check_model(s, report);
+  check_other_materials(s, report);
   if (!report.empty()) return report.take();
   check_numerics(s, report);
   check_choices(s, report);

@@ -9,15 +9,15 @@ template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::Plan
           class Force = NoBodyForce>
 class ReferenceStepper : public BasicStepper<Space::axes> {
  public:
-  explicit ReferenceStepper(const MaterialModel& model, const Transfer& transfer = {},
+  explicit ReferenceStepper(const MaterialModels& materials, const Transfer& transfer = {},
                             const Force& force = {})
-      : model_(model), transfer_(transfer), force_(force) {}
+      : materials_(materials), transfer_(transfer), force_(force) {}
   BasicStepReport<Space::axes> step(BasicState<Space::axes>& state, double dt) override {
-    return reference_step<Shape, Transfer, Space>(state, model_, dt, transfer_, force_);
+    return reference_step<Shape, Transfer, Space>(state, materials_, dt, transfer_, force_);
   }
 
  private:
-  MaterialModel model_;
+  MaterialModels materials_;
   Transfer transfer_;
   Force force_;
 };

@@ -35,7 +35,7 @@ namespace mpm {
 
 template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain,
           class Force = NoBodyForce>
-BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, const MaterialModel& model,
+BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, const MaterialModels& materials,
                                             double dt, const Transfer& transfer = {},
                                             const Force& force = {}) {
   static_assert(ShapeIn<Shape, Space>);
@@ -70,7 +70,7 @@ BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, cons
   report.wall_impulse = wall_impulse(grid, dt);
   report.transfer_heat = g2p<Shape, Transfer, Space>(state.particles, grid, dt, state.velocity_gradient,
                                                      transfer, &state.hoop_rate);
-  update_stress(state, model, dt, report);
+  update_stress(state, materials, dt, report);
 
   state.time += dt;
   ++state.step;

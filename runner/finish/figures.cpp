@@ -173,8 +173,8 @@ std::vector<fs::path> one_file(const Study& study, const StudyResults& results, 
                                const fs::path& stem) {
   return draw_one(study, results, request, stem) ? std::vector{stem} : std::vector<fs::path>();
 }
-Draw drawing_of(FigureKind kind) {
-  switch (kind) {
+Draw drawing_of(FigureKind of) {
+  switch (of) {
     case FigureKind::history:
       return one_file<draw_history>;
     case FigureKind::xy:

@@ -31,7 +31,8 @@ std::string text_of(const mpm::Scene& scene, bool with_inert, std::span<const mp
   std::string text = "physics_version=" + std::to_string(mpm::physics_version_of(scene)) + "\n";
   text.append("scene=").append(mpm::to_string(scene.kind)).append("\n");
   for (const mpm::Quantity& row : rows) {
-    if (row.derived || !row.belongs_to(scene.kind) || row.get(scene) == row.implied) continue;
+    if (row.derived || !row.belongs_to(scene.kind) || value_for_key(row, scene, with_inert) == row.implied)
+      continue;
     text.append(row.name).append("=");
     append_number(text, value_for_key(row, scene, with_inert));
     text.append("\n");

@@ -88,30 +88,47 @@ TEST(Effect, WhatIsInertChangesNoBit) {
     }
 }
 
-TEST(Effect, EverythingElseChangesSomething) {
-  const Scene scene = small_scene();
-  const RunResult plain = run(scene);
-  ASSERT_EQ(plain.status, RunStatus::done) << plain.reason;
-  const std::string before = everything_of(scene);
-  for (const Quantity& row : quantities()) {
-    const Condition* condition = condition_of(row.name);
-    if (row.derived || !row.belongs_to(scene.kind) || (condition && !condition->holds(scene))) continue;
-    Scene changed = scene;
-    if (row.name == "particles_per_cell")
-      row.set(changed, 9);
-    else
-      row.set(changed, row.get(scene) == 0 ? 0.1 : 0.9 * row.get(scene));
-    if (!fast_step_has(changed)) changed.numerics.kernel = Kernel::reference;
-    ASSERT_EQ(find_problems(changed).size(), 0u) << row.name;
-    EXPECT_TRUE(everything_of(changed) != before) << row.name;
+/// Scenes that have every constant of some model between them.
+std::vector<Scene> scenes_of_models() {
+  std::vector<Scene> all{small_scene()};
+  for (const char* name : {"copper-johnson-cook", "water"}) {
+    all.push_back(small_scene());
+    all.back().material = named_material(name);
   }
-  for (const Choice& row : choices()) {
-    const Condition* condition = condition_of(row.name);
-    if (!row.belongs_to(scene.kind) || (condition && !condition->holds(scene))) continue;
-    Scene changed = scene;
-    row.set(changed, 1 - std::min<std::size_t>(row.get(scene), 1));
-    if (!fast_step_has(changed)) changed.numerics.kernel = Kernel::reference;
-    EXPECT_TRUE(everything_of(changed) != before) << row.name;
+  return all;
+}
+
+TEST(Effect, EverythingElseChangesSomething) {
+  const std::vector<Scene> all = scenes_of_models();
+  for (const Scene& scene : all) {
+    const RunResult plain = run(scene);
+    ASSERT_EQ(plain.status, RunStatus::done) << plain.reason;
+    const std::string before = everything_of(scene);
+    for (const Quantity& row : quantities()) {
+      const Condition* condition = condition_of(row.name);
+      if (row.derived || !row.belongs_to(scene.kind) || (condition && !condition->holds(scene))) continue;
+      const bool was_seen = &scene != &all.front() && (!condition || condition->holds(all.front()));
+      if (was_seen) continue;
+      Scene changed = scene;
+      const double value = row.get(scene);
+      if (row.name == "particles_per_cell")
+        row.set(changed, 9);
+      else
+        row.set(changed, std::isinf(value) ? 1e-3 : value == 0 ? 0.1 : 0.9 * value);
+      if (!fast_step_has(changed)) changed.numerics.kernel = Kernel::reference;
+      ASSERT_EQ(find_problems(changed).size(), 0u) << row.name;
+      EXPECT_TRUE(everything_of(changed) != before) << scene.material.name << " " << row.name;
+    }
+    if (&scene != &all.front()) continue;
+    for (const Choice& row : choices()) {
+      const Condition* condition = condition_of(row.name);
+      if (!row.belongs_to(scene.kind) || (condition && !condition->holds(scene))) continue;
+      Scene changed = scene;
+      row.set(changed, 1 - std::min<std::size_t>(row.get(scene), 1));
+      if (!fast_step_has(changed)) changed.numerics.kernel = Kernel::reference;
+      if (!find_problems(changed).empty()) continue;  // not every strength goes with every equation of state
+      EXPECT_TRUE(everything_of(changed) != before) << scene.material.name << " " << row.name;
+    }
   }
 }
 

@@ -67,7 +67,7 @@ TEST(FullSymmetric, GrowthAndMidpointAreThoseOfMatrices) {
   EXPECT_LT((matrix(rotation_of_spin(m)) - (one - half_spin).inverse() * (one + half_spin)).norm(), 1e-15);
 }
 
-using Elastic = mpm::Solid<double, mpm::Elastic, false>;
+using Elastic = mpm::Solid<double, mpm::MieGrueneisenEos, mpm::Elastic>;
 
 /// Angle and axis at will: dt L = R - 1 strains nothing, and turns the deviator by R.
 TEST(StrainOver, ARigidRotationInSpaceStrainsNothing) {
@@ -104,7 +104,7 @@ Driven drive(const mpm::MaterialModel& material, const Mat3& frame) {
       const auto e = mpm::strain_over<double, mpm::space::ThreeD>(
           dilation, gradient(frame * l * frame.transpose()), model);
       const mpm::Point<double, Deviator> point{dilation, energy, s, pressure, viscous, own};
-      model.shear(point, e);
+      model.shear(point, e, 1e9);
       model.bulk(point, e, 1e9);
       energy += contract(s, e.rate) / material.material.reference_density;
     }

@@ -41,11 +41,13 @@ void visit_all(const Visit& visit, std::string_view names, Members&... members) 
 /// does not compile here before it is named; and then it fails the test before it has a row.
 template <class Visit>
 void each_member(mpm::Scene& s, const Visit& visit) {
-  VISIT(s, kind, material, impact_speed, block_width, block_height, cavity_radius, cavity_center_height,
-        inner_radius, outer_radius, inner_speed, end_time, space, numerics, measures)
-  VISIT(s.material, name, law, reference_density, youngs_modulus, poissons_ratio, yield_stress,
+  VISIT(s, kind, material, other_materials, impact_speed, block_width, block_height, cavity_radius,
+        cavity_center_height, inner_radius, outer_radius, inner_speed, end_time, space, numerics, measures)
+  VISIT(s.material, name, law, eos, strength, reference_density, youngs_modulus, poissons_ratio, yield_stress,
         hardening_modulus, hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope,
-        gruneisen_gamma, specific_heat, initial_temperature, pressure_limit, tension, spall_strength)
+        gruneisen_gamma, specific_heat, initial_temperature, pressure_limit, tension, spall_strength,
+        failure_strain, adiabatic_index, stiffening_pressure, strain_hardening, hardening_exponent,
+        rate_hardening, reference_strain_rate, softening_exponent, melting_temperature)
   VISIT(s.numerics, cell_size, particles_per_cell, scheme, transfer, symmetry, kernel, precision,
         pic_fraction, cfl, linear_viscosity, quadratic_viscosity)
   VISIT(s.measures, area_every, detached_for, decides, stop, snapshots)

@@ -5,6 +5,7 @@
 
 #include "libmpm/material/artificial_viscosity.hpp"
 #include "libmpm/material/eos/temperature.hpp"
+#include "libmpm/material/list.hpp"
 #include "libmpm/material/solid.hpp"
 
 namespace {
@@ -17,7 +18,8 @@ const mpm::Material aluminium = mpm::named_material("aluminium");
 // E and nu stand for G of the table and the bulk modulus rho0 c0^2; every constant is there.
 TEST(NamedMaterials, HaveTheModuliOfTheirSources) {
   const std::pair<const char*, double> shear_moduli[] = {
-      {"aluminium-6061-t6", 27.6e9}, {"copper", 47.7e9}, {"tungsten", 160e9}, {"tantalum", 69e9}};
+      {"aluminium-6061-t6", 27.6e9}, {"copper", 47.7e9},  {"pmma", 2.32e9},
+      {"steel-1006", 81.8e9},        {"tungsten", 160e9}, {"tantalum", 69e9}};
   for (const auto& [name, shear] : shear_moduli) {
     const mpm::Material m = mpm::named_material(name);
     EXPECT_EQ(m.name, name);
@@ -27,10 +29,21 @@ TEST(NamedMaterials, HaveTheModuliOfTheirSources) {
   }
   for (const std::string_view name : mpm::material_names()) {
     const mpm::Material m = mpm::named_material(name);
-    for (const double constant : {m.yield_stress, m.hugoniot_slope, m.gruneisen_gamma, m.specific_heat,
-                                  m.initial_temperature, m.pressure_limit})
+    EXPECT_TRUE(mpm::has_model(m)) << name;
+    for (const double constant : {m.specific_heat, m.initial_temperature, m.pressure_limit})
       EXPECT_GT(constant, 0) << name;
+    // every constant of the model that the material has
+    for (const mpm::MaterialRow& row : mpm::material_rows())
+      if (row.range == mpm::Range::positive && (!row.use.holds || row.use.holds(m))) {
+        EXPECT_GT(m.*row.value, 0) << name << " " << row.name;
+      }
+    EXPECT_EQ(m.yield_stress > 0, m.strength != mpm::StrengthModel::none) << name;
   }
+  EXPECT_EQ(mpm::named_material("copper-johnson-cook").melting_temperature, 1356);
+  EXPECT_EQ(mpm::named_material("copper-johnson-cook").hugoniot_slope,
+            mpm::named_material("copper").hugoniot_slope);
+  EXPECT_EQ(mpm::named_material("steel-1006").yield_stress, 350e6);
+  EXPECT_NEAR(mpm::sound_speed_at_rest(mpm::named_material("water")), std::sqrt(2.35e6), 1e-9);
   EXPECT_THROW(mpm::named_material("lead"), std::out_of_range);
 }
 
@@ -109,7 +122,7 @@ struct Point {
   double work() const { return own[mpm::own_plastic_work]; }  // of a volume of 1
   void strain(const mpm::J2& j2, double total, int steps) {
     const mpm::Strain<double> step{{0, total / steps, 0}, {1, 0}, 0, 1};
-    for (int k = 0; k < steps; ++k) Strength::update(j2, deviator, own, step, 1.0);
+    for (int k = 0; k < steps; ++k) Strength::update(j2, deviator, own, step, 1.0, 1.0);
   }
 };
 
@@ -157,7 +170,7 @@ TEST(J2, RotationTurnsStressAndDoesNoWork) {
   p.deviator = {30e6, -20e6, 15e6};
   const double before = mpm::second_invariant(p.deviator);
   const mpm::Strain<double> quarter_turn{{0, 0, 0}, {0, 1}, 0, 1};
-  mpm::IsotropicHardening::update(j2, p.deviator, p.own, quarter_turn, 1.0);
+  mpm::IsotropicHardening::update(j2, p.deviator, p.own, quarter_turn, 1.0, 1.0);
   EXPECT_EQ(p.work(), 0);
   EXPECT_NEAR(p.deviator.xx, -20e6, 1e-6);
   EXPECT_NEAR(p.deviator.yy, 30e6, 1e-6);
@@ -167,7 +180,7 @@ TEST(J2, RotationTurnsStressAndDoesNoWork) {
 
 /// A rigid rotation by any angle: dt L is made of the half-angle formula, and the deviator turns with it.
 TEST(StrainOver, ARigidRotationStrainsNothing) {
-  const mpm::Solid<double, mpm::Elastic, false> solid(mpm::MaterialModel{aluminium, {}});
+  const mpm::Solid<double, mpm::MieGrueneisenEos, mpm::Elastic> solid(mpm::MaterialModel{aluminium, {}});
   const double angle = 0.3, c = std::cos(angle), s = std::sin(angle);
   double dilation = 0.1;
   const mpm::Strain<double> e = mpm::strain_over<double>(dilation, {c - 1, -s, s, c - 1}, solid);

@@ -66,7 +66,7 @@ void expect_exact(double size, double tolerance) {
     }();
     const mpm::Point<double, typename Space::template Deviator<double>> point{dilation, energy,  s,
                                                                               pressure, viscous, own};
-    model.shear(point, strain);
+    model.shear(point, strain, 1);
     model.bulk(point, strain, 1);
   }
   Mat3 ours = Mat3::Zero();

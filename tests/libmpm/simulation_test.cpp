@@ -250,4 +250,62 @@ TEST(Fill, RefusesWhatOverlapsAndWhatHasNoEnd) {
   EXPECT_THROW(mpm::fill(state, {mpm::disc({30e-6, 0}, 1e-6), falling}, s), mpm::InputError);
 }
 
+/// A slab of copper falls on one of aluminium that rests on a mirror; both are fluids, side by side between
+/// mirrors: the state between the two shocks is that where both Hugoniots, one of them turned round, have one
+/// pressure and one speed. Two bodies of one grid are welded, which in a planar impact is the exact
+/// condition.
+TEST(Simulation, ShocksOfTwoMaterialsMatchTheirImpedances) {
+  using namespace mpm;
+  constexpr double h = 1e-6, speed = 400;
+  Scene settings;
+  settings.material = named_material("aluminium-6061-t6");
+  settings.other_materials = {named_material("copper")};
+  settings.material.strength = settings.other_materials[0].strength = StrengthModel::none;
+  settings.numerics = default_numerics(SceneKind::planar_impact);
+  settings.numerics.cell_size = h;
+  settings.end_time = 30e-9, settings.measures.area_every = 1e-9;
+  for (const Kernel kernel : {Kernel::fast, Kernel::reference}) {
+    settings.numerics.kernel = kernel;
+    State body = empty_state({0, 0}, {h, h}, 4, Floor::mirror);
+    const auto rest = [](const Vec2&) { return Vec2(0, 0); };
+    const auto falling = [](const Vec2&) { return Vec2(0, -speed); };
+    mpm::fill(body, Body{mpm::block({0, 0}, {4 * h, 250 * h}), rest}, settings, 0);
+    mpm::fill(body, Body{mpm::block({0, 250 * h}, {4 * h, 500 * h}), falling}, settings, 1);
+    EXPECT_THROW(mpm::fill(body, Body{mpm::block({0, 600 * h}, {4 * h, 610 * h}), rest}, settings, 0),
+                 InputError);
+    EXPECT_THROW(mpm::fill(body, Body{mpm::block({0, 600 * h}, {4 * h, 610 * h}), rest}, settings, 2),
+                 InputError);
+    Simulation simulation(settings, std::move(body));
+    const RunResult result = simulation.run();
+    ASSERT_EQ(result.status, RunStatus::done) << result.reason;
+    EXPECT_LT(result.energy_error, 1e-12);
+
+    // rho0 (c0 + lambda u) u of both
+    const auto hugoniot = [](const Material& m, double u) {
+      return m.reference_density * shock_speed(m, u) * u;
+    };
+    double low = 0, high = speed;
+    for (int k = 0; k < 60; ++k) {
+      const double u = 0.5 * (low + high);
+      (hugoniot(settings.material, u) < hugoniot(settings.other_materials[0], speed - u) ? low : high) = u;
+    }
+    const double pressure = hugoniot(settings.material, low);
+    // well inside both shocked layers, off the interface, whose wall heating is that of every such scheme
+    const Particles& ps = simulation.state().particles;
+    double sums[2] = {}, speeds[2] = {};
+    int counts[2] = {};
+    for (std::size_t p = 0; p < ps.size(); ++p) {
+      const std::size_t m = ps.material_of(p);
+      const double from_interface = ps.position[p].y() - (250 * h - low * simulation.time());
+      if (std::abs(from_interface) < 20 * h || std::abs(from_interface) > 70 * h) continue;
+      sums[m] += ps.pressure[p], speeds[m] -= ps.velocity[p].y(), ++counts[m];
+    }
+    for (int m = 0; m < 2; ++m) {
+      ASSERT_GT(counts[m], 100);
+      EXPECT_NEAR(sums[m] / counts[m] / pressure, 1, 0.005) << m;
+      EXPECT_NEAR(speeds[m] / counts[m] / low, 1, 0.005) << m;
+    }
+  }
+}
+
 }  // namespace

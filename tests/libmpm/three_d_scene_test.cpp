@@ -38,7 +38,7 @@ mpm::Scene sphere(double cell) {
 }
 
 TEST(SphereMesh, PartsAreThoseOfTheWhole) {
-  for (const auto [part, whole] :
+  for (const auto& [part, whole] :
        {std::pair(mpm::SpherePart::whole, 1), std::pair(mpm::SpherePart::quarter, 4),
         std::pair(mpm::SpherePart::octant, 8)}) {
     const mpm::SphereMesh mesh = mpm::sphere_mesh(part, 24);

@@ -130,13 +130,44 @@ struct BasicMieGrueneisen {
 };
 using MieGrueneisen = BasicMieGrueneisen<double>;
 
+/// The same as the equation of state of a model. `linear`: Tension::linear.
+template <class Real, bool linear>
+struct MieGrueneisenOf : BasicMieGrueneisen<Real> {
+  using Base = BasicMieGrueneisen<Real>;
+
+  explicit MieGrueneisenOf(const Material& m) : Base(MieGrueneisen(m)) {}
+  static bool fits(const Material& m) {
+    return m.eos == EquationOfState::mie_grueneisen && linear == (m.tension == Tension::linear);
+  }
+  static double sound_square_at_rest(const Material& m) {
+    return MieGrueneisen(m).sound_speed_squared(MieGrueneisen::Volume(0), 0);
+  }
+  template <class N>
+  MPM_INLINE auto response(N dilation, N compression, N p) const {
+    return Base::template response<linear, N>({dilation, compression}, p);
+  }
+  template <class N>
+  MPM_INLINE N implicit(N dilation, N theta) const {
+    return Base::template implicit<linear>(dilation, theta);
+  }
+};
+template <class Real>
+using MieGrueneisenEos = MieGrueneisenOf<Real, false>;
+template <class Real>
+using MieGrueneisenWithLinearTension = MieGrueneisenOf<Real, true>;
+
+inline constexpr MaterialUse eos_is_mie_grueneisen{"eos = \"mie-grueneisen\"", [](const Material& m) {
+                                                     return m.law == MaterialLaw::solid &&
+                                                            m.eos == EquationOfState::mie_grueneisen;
+                                                   }};
+
 inline constexpr MaterialRow mie_grueneisen_rows[] = {
     {"bulk_sound_speed", "m/s", "bulk_sound_speed_m_s", "c0 of Us = c0 + lambda Up", Range::positive,
-     &Material::bulk_sound_speed, law_is_solid},
+     &Material::bulk_sound_speed, eos_is_mie_grueneisen},
     {"hugoniot_slope", "1", "hugoniot_slope", "lambda of Us = c0 + lambda Up", Range::non_negative,
-     &Material::hugoniot_slope, law_is_solid},
+     &Material::hugoniot_slope, eos_is_mie_grueneisen},
     {"gruneisen_gamma", "1", "gruneisen_gamma", "Grueneisen coefficient at rest", Range::non_negative,
-     &Material::gruneisen_gamma, law_is_solid},
+     &Material::gruneisen_gamma, eos_is_mie_grueneisen},
     {"pressure_limit", "Pa", "pressure_limit_Pa", "pressure up to which the equation of state is valid",
      Range::positive, &Material::pressure_limit},
 };

@@ -5,7 +5,14 @@
 namespace mpm {
 
 double Temperature::operator()(double dilation, double energy) const {
-  if (!changes) return initial_temperature;
+  if (material.law != MaterialLaw::solid) return material.initial_temperature;
+  if (material.eos == EquationOfState::stiffened_gas) {
+    const double less_one = material.adiabatic_index - 1, compressed = 1 / (1 + dilation);
+    const double growth = std::pow(compressed, less_one);
+    const double isentrope = material.stiffening_pressure / material.reference_density *
+                             ((growth - 1) / less_one - (1 - 1 / compressed));
+    return material.initial_temperature * growth + (energy - isentrope) / material.specific_heat;
+  }
   // The isentrope is smooth in eta: 16 Runge-Kutta steps leave less than 1e-8 of e_s up to half the volume.
   constexpr int steps = 16;
   const double d = -dilation / steps;  // step in eta
@@ -22,7 +29,8 @@ double Temperature::operator()(double dilation, double energy) const {
     const double k4 = slope(eta + d, e + d * k3);
     e += d * (k1 + 2 * (k2 + k3) + k4) / 6;
   }
-  return initial_temperature * std::exp(-eos.gamma0 * dilation) + (energy - e) / specific_heat;
+  return material.initial_temperature * std::exp(-eos.gamma0 * dilation) +
+         (energy - e) / material.specific_heat;
 }
 
 }  // namespace mpm

@@ -7,19 +7,15 @@ namespace mpm {
 ///   T = T_s(V) + (e - e_s(V)) / c_v,   T_s = T0 exp(gamma0 eta),   de_s/d(eta) = P(eta, e_s) / rho0
 /// where the index s is the isentrope through the state at rest and eta = 1 - rho0/rho = -(J - 1). [K]
 /// Source: the Grueneisen relation at constant gamma rho; Zel'dovich & Raizer 1967, ch. XI.
-/// A material whose law has no heat stays at T0.
+/// The same of the stiffened gas, whose Gamma = gamma - 1 is constant:
+///   T_s = T0 (rho/rho0)^(gamma - 1),   e_s = P_inf / rho0 ((T_s/T0 - 1) / (gamma - 1) - (1 - rho0/rho))
+/// A neo-Hookean solid, whose law has no heat, stays at T0.
 /// Checked against the Hugoniot temperatures by tests/libmpm/material_test.cpp.
 struct Temperature {
+  Material material;
   MieGrueneisen eos;
-  double specific_heat;        ///< c_v [J/kg/K]
-  double initial_temperature;  ///< T0 [K]
-  bool changes;                ///< whether the law has heat
 
-  explicit Temperature(const Material& m)
-      : eos(m),
-        specific_heat(m.specific_heat),
-        initial_temperature(m.initial_temperature),
-        changes(m.law == MaterialLaw::solid) {}
+  explicit Temperature(const Material& m) : material(m), eos(m) {}
   double operator()(double dilation, double energy) const;
 };
 

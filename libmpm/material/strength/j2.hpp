@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <concepts>
 
 #include "libmpm/core/state_column.hpp"
 #include "libmpm/material/material.hpp"
@@ -24,13 +25,14 @@ struct BasicJ2 {
   Real kinematic_modulus;  ///< beta H [Pa]
   Real inverse_return;     ///< 1 / (3 G + H) [1/Pa]
 
-  explicit BasicJ2(const Material& m)
+  explicit BasicJ2(const Material& m) requires std::same_as<Real, double>
       : shear_modulus(m.shear_modulus()),
         yield_stress(m.yield_stress),
         isotropic_modulus((1 - m.kinematic_fraction) * m.hardening_per_equivalent_strain()),
-        kinematic_modulus(m.kinematic_fraction * m.hardening_per_equivalent_strain()),
+        kinematic_modulus(m.kinematic_fraction* m.hardening_per_equivalent_strain()),
         inverse_return(1 / (3 * shear_modulus + isotropic_modulus + kinematic_modulus)) {}
   /// The same constants, rounded.
+  explicit BasicJ2(const Material& m) requires(!std::same_as<Real, double>) : BasicJ2(BasicJ2<double>(m)) {}
   template <class Other>
   explicit BasicJ2(const BasicJ2<Other>& o)
       : shear_modulus(static_cast<Real>(o.shear_modulus)),
@@ -49,25 +51,40 @@ inline constexpr StateColumn back_stress_column{"back_stress", "Pa", StateForm::
 /// Places of their numbers.
 enum OwnNumber : int { own_plastic_strain, own_plastic_work, own_back_stress };
 
+/// What strengths of von Mises share.
+struct J2Strength {
+  template <class Real>
+  using Constants = BasicJ2<Real>;
+  static constexpr bool has_deviator = true;
+  static constexpr bool fails = false;
+};
+
 /// No yield.
-struct Elastic {
+struct Elastic : J2Strength {
   static constexpr std::array<StateColumn, 0> state{};
-  static bool fits(const Material& m) { return std::isinf(m.yield_stress); }
+  static bool fits(const Material& m) {
+    return m.strength == StrengthModel::von_mises && std::isinf(m.yield_stress);
+  }
 
   template <class Real, class N, class Tensor, class Space>
-  static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N*, const Strain<N, Space>& e, N) {
+  static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N*, const Strain<N, Space>& e, N, Real) {
     s = sum(rotated(e.rotation, s), 2 * j2.shear_modulus, deviator(e.rate));
   }
 };
 
 /// Isotropic hardening.
-struct IsotropicHardening {
+struct IsotropicHardening : J2Strength {
   static constexpr std::array state{plastic_strain_column, plastic_work_column};
-  static bool fits(const Material& m) { return !Elastic::fits(m) && !m.hardens_kinematically(); }
+  /// With or without failure (failing.hpp).
+  static bool is_of(const Material& m) {
+    return m.strength == StrengthModel::von_mises && std::isfinite(m.yield_stress) &&
+           !m.hardens_kinematically();
+  }
+  static bool fits(const Material& m) { return is_of(m) && !m.fails(); }
 
   template <class Real, class N, class Tensor, class Space>
   static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N* own, const Strain<N, Space>& e,
-                                N specific_volume) {
+                                N specific_volume, Real) {
     const Real twice = 2 * j2.shear_modulus;
     const Tensor trial = sum(rotated(e.rotation, s), twice, deviator(e.rate));
     const N mises = Number<N>::square_root(3 * second_invariant(trial));
@@ -84,13 +101,14 @@ struct IsotropicHardening {
 };
 
 /// ... and kinematic hardening.
-struct KinematicHardening {
+struct KinematicHardening : J2Strength {
   static constexpr std::array state{plastic_strain_column, plastic_work_column, back_stress_column};
-  static bool fits(const Material& m) { return m.hardens_kinematically(); }
+  static bool is_of(const Material& m) { return m.hardens_kinematically(); }
+  static bool fits(const Material& m) { return is_of(m) && !m.fails(); }
 
   template <class Real, class N, class Tensor, class Space>
   static MPM_INLINE void update(const BasicJ2<Real>& j2, Tensor& s, N* own, const Strain<N, Space>& e,
-                                N specific_volume) {
+                                N specific_volume, Real) {
     const Real twice = 2 * j2.shear_modulus;
     Tensor alpha;
     load(own + own_back_stress, alpha);
@@ -112,20 +130,28 @@ struct KinematicHardening {
   }
 };
 
-inline constexpr MaterialUse where_plastic{
-    "a finite yield_stress",
-    [](const Material& m) { return m.law == MaterialLaw::solid && std::isfinite(m.yield_stress); }};
+inline constexpr MaterialUse where_strong{
+    "law = \"solid\" and a strength",
+    [](const Material& m) { return m.law == MaterialLaw::solid && m.strength != StrengthModel::none; }};
+inline constexpr MaterialUse where_elastic{
+    "a strength",
+    [](const Material& m) { return m.law == MaterialLaw::neo_hookean || m.strength != StrengthModel::none; }};
+inline constexpr MaterialUse where_plastic{"a finite yield_stress", [](const Material& m) {
+                                             return m.law == MaterialLaw::solid &&
+                                                    m.strength == StrengthModel::von_mises &&
+                                                    std::isfinite(m.yield_stress);
+                                           }};
 inline constexpr MaterialUse where_hardening{
     "hardening_modulus above 0 and a finite yield_stress",
     [](const Material& m) { return where_plastic.holds(m) && m.hardening_modulus > 0; }};
 
 inline constexpr MaterialRow j2_rows[] = {
     {"yield_stress", "Pa", "yield_stress_Pa", "initial yield stress; infinite: elastic",
-     Range::non_negative_or_infinite, &Material::yield_stress, law_is_solid, "Y", Section::parameters},
+     Range::non_negative_or_infinite, &Material::yield_stress, where_strong, "Y", Section::parameters},
     {"youngs_modulus", "Pa", "youngs_modulus_Pa", "Young's modulus of the deviator", Range::positive,
-     &Material::youngs_modulus},
+     &Material::youngs_modulus, where_elastic},
     {"poissons_ratio", "1", "poissons_ratio", "Poisson's ratio of the deviator", Range::non_negative,
-     &Material::poissons_ratio},
+     &Material::poissons_ratio, where_elastic},
     {"hardening_modulus", "Pa", "hardening_modulus_Pa",
      "hardening modulus, in the measure of hardening_measure", Range::non_negative,
      &Material::hardening_modulus, where_plastic, "E"},

@@ -37,8 +37,10 @@ class Blocks {
  public:
   static constexpr int width = 32 / sizeof(Real);
 
-  /// Not sorted yet. `stride`: of the nodes.
-  Blocks(const Particles&, const Grid&, const Layout&, double rho0, int stride);
+  /// The particles of `range`, not sorted yet. Columns of the layout's model: `own`. rho0: of unit_mass().
+  /// `stride`: of the nodes.
+  Blocks(Particles&, Particles::Range range, std::span<const StateColumn> own, const Grid&, const Layout&,
+         double rho0, int stride);
 
   /// Puts the particles in order, for a grid of `rows` rows of nodes. Deterministic.
   void sort(int rows);
@@ -70,16 +72,18 @@ class Blocks {
     return values_[slot / width * block_size() + static_cast<std::size_t>(column) * width + slot % width];
   }
   std::size_t node_of(std::size_t slot) const { return static_cast<std::size_t>(at(slot, node)); }
-  void write(std::size_t slot, const Grid&, Particles&, std::size_t p) const;
+  void write(std::size_t slot, const Grid&, Particles&, const OwnNumbers&) const;
   std::vector<std::uint32_t> order(int rows);
   void permute(std::span<const std::uint32_t> order);
   void fill_empty_lanes(std::size_t block);
 
   Layout layout_;
+  Particles::Range range_;
+  std::span<const StateColumn> own_;
   int columns_, stride_;
   AlignedArray<Real> values_;         ///< may be larger than its blocks
   std::vector<std::uint32_t> ids_;    ///< original place of the particle in each slot, or nobody
-  std::vector<std::uint32_t> slots_;  ///< the inverse; empty until somebody asks for single particles
+  std::vector<std::uint32_t> slots_;  ///< of the particles of the range; empty until one is asked for
   std::vector<Range> bands_;
   std::size_t loose_ = 0, sort_memory_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -30,8 +31,8 @@ constexpr std::size_t least_particles = 10000;
 constexpr int band_reach = 2;
 
 template <class Real>
-Constants<Real> constants_of(const MaterialModel& m, const Grid& grid) {
-  const double inverse_rho0 = 1 / m.material.reference_density;
+Constants<Real> constants_of(double density, const Grid& grid) {
+  const double inverse_rho0 = 1 / density;
   const auto real = [](double v) { return static_cast<Real>(v); };
   Constants<Real> k{};
   k.inverse_rho0 = real(inverse_rho0);
@@ -45,37 +46,46 @@ Constants<Real> constants_of(const MaterialModel& m, const Grid& grid) {
 }  // namespace
 
 template <class Real>
-FastStepper<Real>::FastStepper(const MaterialModel& material, Shape shape, Space space, InstructionSet set)
-    : material_(material), layout_{shape == Shape::gimp, space, 0} {
-  with_model<Real>(material, [&](const auto& model, std::size_t place) {
-    static_assert(std::is_trivially_copyable_v<std::decay_t<decltype(model)>> &&
-                  sizeof model <= sizeof model_);
-    std::memcpy(model_.data(), &model, sizeof model);
-    own_ = model.state;
-    layout_.own_columns = numbers_in(own_, 2);
-    kernels_ = kernels_for<Real>(layout_.gimp, space, place, set);
-  });
+FastStepper<Real>::FastStepper(const MaterialModels& materials, Shape shape, Space space, InstructionSet set)
+    : space_(space), density_(materials.of.at(0).material.reference_density), stocks_(materials.of.size()) {
+  const bool gimp = shape == Shape::gimp;
+  for (std::size_t m = 0; m < stocks_.size(); ++m)
+    with_model<Real>(materials.of[m], [&](const auto& model, std::size_t place) {
+      Stock& stock = stocks_[m];
+      static_assert(std::is_trivially_copyable_v<std::decay_t<decltype(model)>> &&
+                    sizeof model <= sizeof stock.model);
+      std::memcpy(stock.model.data(), &model, sizeof model);
+      stock.density = materials.of[m].material.reference_density;
+      stock.own = model.state;
+      stock.layout = {gimp, space, numbers_in(stock.own, 2)};
+      stock.kernels = kernels_for<Real>(gimp, space, place, set);
+    });
 }
 
 /// The particles' first way to the grid.
 template <class Real>
 void FastStepper<Real>::begin(State& state) {
   const Grid& grid = state.grid;
-  constants_ = constants_of<Real>(material_, grid);
-  state.particles.keep(own_);
+  Particles& ps = state.particles;
   grid_.emplace(grid.columns());
-  blocks_.emplace(state.particles, grid, layout_, material_.material.reference_density,
-                  grid_->nodes().stride);
+  for (std::size_t m = 0; m < stocks_.size(); ++m) {
+    Stock& stock = stocks_[m];
+    ps.keep(stock.own);
+    stock.constants = constants_of<Real>(stock.density, grid);
+    stock.blocks.emplace(ps, ps.range_of(m), stock.own, grid, stock.layout, density_, grid_->nodes().stride);
+  }
   state.velocity_gradient = {};
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-  for (const Vec2& x : state.particles.position) {
+  for (const Vec2& x : ps.position) {
     const double row = std::floor((x.y() - grid.origin().y()) * grid.inverse_cell().y() + 0.5);
     lowest = std::min(lowest, row), highest = std::max(highest, row);
   }
   use(lowest * grid_->nodes().stride, highest * grid_->nodes().stride);
-  blocks_->sort(grid_->nodes().rows);
-  for (const auto& range : blocks_->bands())
-    kernels_.transfers.scatter(band(range), grid_->nodes(), constants_);
+  for (Stock& stock : stocks_) {
+    stock.blocks->sort(grid_->nodes().rows);
+    for (const auto& range : stock.blocks->bands())
+      stock.kernels.transfers.scatter(band(stock, range), grid_->nodes(), stock.constants);
+  }
 }
 
 /// Says where the particles are now.
@@ -89,30 +99,44 @@ void FastStepper<Real>::use(double lowest_node, double highest_node) {
 }
 
 template <class Real>
-Band<Real> FastStepper<Real>::band(const typename Blocks<Real>::Range& range) {
-  return {blocks_->block(range.first), range.count, layout_.columns(),
+Band<Real> FastStepper<Real>::band(Stock& stock, const typename Blocks<Real>::Range& range) {
+  return {stock.blocks->block(range.first), range.count, stock.layout.columns(),
           std::max(range.first_row - band_reach, 0),
           std::min(range.last_row + band_reach, grid_->nodes().rows - 3)};
+}
+
+template <class Real>
+std::size_t FastStepper<Real>::blocks() const {
+  std::size_t sum = 0;
+  for (const Stock& stock : stocks_) sum += stock.blocks->count();
+  return sum;
+}
+
+template <class Real>
+SweepReport FastStepper<Real>::sweep(double dt) {
+  SweepReport sums{};
+  sums.lowest_node = std::numeric_limits<double>::infinity();
+  leaving_band_ = false;
+  for (Stock& stock : stocks_) sweep(stock, dt, sums);
+  return sums;
 }
 
 /// Bands of the same parity touch different nodes, so that any thread may take any of them; the odd ones
 /// follow the even ones.
 template <class Real>
-SweepReport FastStepper<Real>::sweep(double dt) {
-  const auto bands = blocks_->bands();
+void FastStepper<Real>::sweep(Stock& stock, double dt, SweepReport& sums) {
+  const auto bands = stock.blocks->bands();
   reports_.assign(bands.size(), {});
-  StressUpdate<Real> stress = kernels_.stress;
-  stress.model = model_.data();
+  StressUpdate<Real> stress = stock.kernels.stress;
+  stress.model = stock.model.data();
   for (const std::size_t parity : {0, 1})
     team_.run((bands.size() + 1 - parity) / 2, [&, parity](std::size_t k) {
       SweepReport& own = reports_[2 * k + parity];
       own.lowest_node = std::numeric_limits<double>::infinity();
-      kernels_.transfers.sweep(band(bands[2 * k + parity]), grid_->nodes(), constants_, dt, stress, own);
+      stock.kernels.transfers.sweep(band(stock, bands[2 * k + parity]), grid_->nodes(), stock.constants, dt,
+                                    stress, own);
     });
 
-  SweepReport sums{};
-  sums.lowest_node = std::numeric_limits<double>::infinity();
-  leaving_band_ = false;
   const int stride = grid_->nodes().stride;
   for (std::size_t b = 0; b < bands.size(); ++b) {
     const SweepReport& own = reports_[b];
@@ -132,7 +156,6 @@ SweepReport FastStepper<Real>::sweep(double dt) {
     leaving_band_ |= own.lowest_node < (bands[b].first_row - 1) * stride ||
                      own.highest_node >= (bands[b].last_row + 2) * stride;
   }
-  return sums;
 }
 
 /// What the particles gave to the nodes becomes motion. Rows do not ask for each other.
@@ -147,18 +170,18 @@ void FastStepper<Real>::move(Floor floor, double dt) {
     });
   };
   each_row([&](int first, int last) {
-    kernels_.transfers.collect(nodes, first, last);
+    stocks_[0].kernels.transfers.collect(nodes, first, last);
     grid_->reflect_sides(first, last);
   });
   if (floor == Floor::mirror && first_row_ == -1) grid_->reflect_floor();
-  each_row([&](int first, int last) { kernels_.transfers.move(nodes, first, last, dt); });
+  each_row([&](int first, int last) { stocks_[0].kernels.transfers.move(nodes, first, last, dt); });
   if (floor == Floor::impact_wall && first_row_ == -1) grid_->push_off_wall();
   moved_first_ = first_row_, moved_last_ = last_row_;
 }
 
 template <class Real>
 StepReport FastStepper<Real>::step(State& state, double dt) {
-  if (!blocks_) begin(state);
+  if (!grid_) begin(state);
   auto now = Clock::now();
   const auto spent = [&now](double& on) {
     const auto then = std::exchange(now, Clock::now());
@@ -166,19 +189,19 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
   };
   move(state.floor, dt);
   spent(times_.grid);
-  if (leaving_band_ ||
-      static_cast<double>(out_of_step_) > sort_cost * static_cast<double>(blocks_->count())) {
-    blocks_->sort(grid_->nodes().rows);
+  if (leaving_band_ || static_cast<double>(out_of_step_) > sort_cost * static_cast<double>(blocks())) {
+    for (Stock& stock : stocks_) stock.blocks->sort(grid_->nodes().rows);
     out_of_step_ = 0;
   }
   spent(times_.sort);
   const SweepReport sums = sweep(dt);
   spent(times_.particles);
-  out_of_step_ += sums.out_of_step - static_cast<std::int64_t>(blocks_->loose());
+  out_of_step_ += sums.out_of_step;
+  for (const Stock& stock : stocks_) out_of_step_ -= static_cast<std::int64_t>(stock.blocks->loose());
   use(sums.lowest_node, sums.highest_node);
 
   const Grid& grid = state.grid;
-  const double unit = unit_mass(material_.material.reference_density, grid, layout_.space);
+  const double unit = unit_mass(density_, grid, space_);
   StepReport report;
   report.largest_signal = sums.broken ? std::numeric_limits<double>::quiet_NaN() : sums.largest_signal;
   report.smallest_dilation = sums.smallest_dilation;
@@ -195,40 +218,49 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
 
 template <class Real>
 void FastStepper<Real>::use_threads(int threads) {
-  const std::size_t particles = blocks_ ? blocks_->count() * Blocks<Real>::width : 0;
+  const std::size_t particles = grid_ ? blocks() * Blocks<Real>::width : 0;
   const auto most = static_cast<int>(std::max<std::size_t>(particles / least_particles, 1));
   team_.resize(std::min(threads, most));
 }
 
 template <class Real>
 void FastStepper<Real>::refresh_particles(State& state) {
-  if (blocks_) blocks_->copy_to(state.particles, state.grid);
+  if (!grid_) return;
+  for (Stock& stock : stocks_) stock.blocks->copy_to(state.particles, state.grid);
 }
 
 template <class Real>
 void FastStepper<Real>::refresh_particles(State& state, std::span<const std::size_t> which) {
-  if (blocks_) blocks_->copy_to(state.particles, state.grid, which);
+  if (!grid_) return;
+  for (Stock& stock : stocks_) stock.blocks->copy_to(state.particles, state.grid, which);
 }
 
 template <class Real>
 void FastStepper<Real>::refresh_nodes(State& state, int first_row, int last_row) {
   if (!grid_) return;
-  const double unit = unit_mass(material_.material.reference_density, state.grid, layout_.space);
+  const double unit = unit_mass(density_, state.grid, space_);
   grid_->copy_rows(state.grid, unit, first_row, last_row, moved_first_, moved_last_);
 }
 
 template <class Real>
 std::size_t FastStepper<Real>::memory() const {
-  return blocks_ ? blocks_->memory() + grid_->memory() : 0;
+  if (!grid_) return 0;
+  std::size_t sum = grid_->memory();
+  for (const Stock& stock : stocks_) sum += stock.blocks->memory();
+  return sum;
 }
 
 /// The blocks hold the particles, the nodes their sums for the next step: the State's particles are not
 /// needed.
 template <class Real>
 void FastStepper<Real>::carry(State& state, Archive& a) {
-  if (!blocks_) begin(state);
-  Archive blocks = a.part("blocks"), nodes = a.part("nodes");
-  blocks_->carry(blocks), grid_->carry(nodes);
+  if (!grid_) begin(state);
+  for (std::size_t m = 0; m < stocks_.size(); ++m) {
+    Archive blocks = a.part(m == 0 ? "blocks" : "blocks-" + std::to_string(m));
+    stocks_[m].blocks->carry(blocks);
+  }
+  Archive nodes = a.part("nodes");
+  grid_->carry(nodes);
   a.integer("first_row", first_row_), a.integer("last_row", last_row_);
   a.integer("moved_first", moved_first_), a.integer("moved_last", moved_last_);
   a.integer("out_of_step", out_of_step_), a.integer("leaving_band", leaving_band_);

@@ -18,14 +18,15 @@ namespace mpm::fast {
 ///   (sweep.hpp).
 ///   - Bands of rows are worked on by several threads, where they are given (ThreadTeam). What a result is
 ///   made of does not depend on who made which part.
-///   - Each shape function and each material model has a kernel, in each instruction set (kernels.hpp).
+///   - Each shape function and each material model has a kernel, in each instruction set (kernels.hpp). The
+///   materials of a scene are taken one after the other.
 /// Results agree with the reference step to rounding.
 /// state.particles is read in the first step and not afterwards: to change particles, make a new stepper.
 template <class Real>
 class FastStepper : public Stepper {
  public:
   enum class Shape { bspline2, gimp };
-  FastStepper(const MaterialModel&, Shape, Space = Space::plane_strain,
+  FastStepper(const MaterialModels&, Shape, Space = Space::plane_strain,
               InstructionSet = best_instruction_set());
 
   StepReport step(State&, double dt) override;
@@ -39,19 +40,28 @@ class FastStepper : public Stepper {
   double helper_seconds() const override { return team_.helper_seconds(); }
 
  private:
+  /// The particles of one material, with its model and its kernels.
+  struct Stock {
+    Layout layout{};
+    double density = 0;                  ///< rho0 [kg/m^3]
+    std::span<const StateColumn> own{};  ///< of the model
+    Kernels<Real> kernels{};
+    alignas(16) std::array<std::byte, 256> model{};  ///< of material/list.hpp, for the kernels
+    Constants<Real> constants{};
+    std::optional<Blocks<Real>> blocks{};
+  };
+
   void begin(State&);
-  Band<Real> band(const typename Blocks<Real>::Range&);
+  Band<Real> band(Stock&, const typename Blocks<Real>::Range&);
   SweepReport sweep(double dt);
+  void sweep(Stock&, double dt, SweepReport& sums);
+  std::size_t blocks() const;  ///< of all stocks
   void move(Floor, double dt);
   void use(double lowest_node, double highest_node);
 
-  MaterialModel material_;
-  std::span<const StateColumn> own_;  ///< of the model
-  Layout layout_;
-  Kernels<Real> kernels_;
-  alignas(16) std::array<std::byte, 256> model_;  ///< the model of material/list.hpp, for the kernels
-  Constants<Real> constants_{};
-  std::optional<Blocks<Real>> blocks_;
+  Space space_;
+  double density_;             ///< of unit_mass(): that of the first material [kg/m^3]
+  std::vector<Stock> stocks_;  ///< one for each material
   std::optional<NodeGrid<Real>> grid_;
   int first_row_ = 0, last_row_ = -1;      ///< of the nodes that the particles reach
   int moved_first_ = 0, moved_last_ = -1;  ///< of the nodes that moved in the last step

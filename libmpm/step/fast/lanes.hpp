@@ -145,6 +145,9 @@ template <>
 struct Number<fast::MPM_ISA::PackD> {
   using Scalar = double;
   using N = fast::MPM_ISA::PackD;
+  static constexpr int width = 4;
+  static MPM_INLINE double lane(const N& a, int k) { return a[k]; }
+  static MPM_INLINE void set_lane(N& a, int k, double v) { a[k] = v; }
   static MPM_INLINE N square_root(N a) { return fast::MPM_ISA::square_root(a); }
   static MPM_INLINE N logarithm_of_one_plus(N a) {
     for (int k = 0; k < 4; ++k) a[k] = __builtin_log1p(a[k]);
@@ -158,6 +161,9 @@ template <>
 struct Number<fast::MPM_ISA::PackF> {
   using Scalar = float;
   using N = fast::MPM_ISA::PackF;
+  static constexpr int width = 8;
+  static MPM_INLINE float lane(const N& a, int k) { return a[k]; }
+  static MPM_INLINE void set_lane(N& a, int k, float v) { a[k] = v; }
   static MPM_INLINE N square_root(N a) { return fast::MPM_ISA::square_root(a); }
   static MPM_INLINE N logarithm_of_one_plus(N a) {
     for (int k = 0; k < 8; ++k) a[k] = __builtin_log1pf(a[k]);

@@ -58,7 +58,7 @@ struct UpdateStress {
     });
     each_block([&](P * f, int b) __attribute__((always_inline)) {
       Deviator<P> stress{f[deviator_xx], f[deviator_yy], f[deviator_xy]};
-      model.shear(point(f, own, stress), strain[b]);
+      model.shear(point(f, own, stress), strain[b], inverse_dt);
       f[deviator_xx] = stress.xx, f[deviator_yy] = stress.yy, f[deviator_xy] = stress.xy;
     });
     const auto pack = [](Real * lanes) __attribute__((always_inline))->P& {
