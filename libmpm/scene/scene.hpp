@@ -134,7 +134,10 @@ std::vector<Problem> find_problems(const Scene&);
 struct Estimate {
   std::int64_t particles = 0;
   std::int64_t steps = 0;
+  double update_cost = 1;  ///< see below
 };
+/// What one particle costs in one step, in what it costs in the fast step.
+double update_cost(Space, Kernel);
 Estimate estimate(const Scene&);
 
 }  // namespace mpm

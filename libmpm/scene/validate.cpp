@@ -250,6 +250,12 @@ Lattices lattice_numbers(const Scene& s) {
 
 }  // namespace
 
+/// Quadratic B-splines, 4 or 8 particles per cell: 34 ns by the fast step, 250 ns by the plain one of two
+/// axes, 700 ns by that of three.
+double update_cost(Space space, Kernel kernel) {
+  return kernel == Kernel::fast ? 1 : space == Space::three_d ? 20 : 7;
+}
+
 Estimate estimate(const Scene& s) {
   const Lattices lattice = axes_of(s.space) == 2 ? lattice_numbers<2>(s) : lattice_numbers<3>(s);
   const Material& m = s.material;
@@ -263,7 +269,8 @@ Estimate estimate(const Scene& s) {
   // Samples are hit exactly, by a whole number of steps from one to the next.
   const double samples = s.end_time / s.measures.area_every;
   const double per_sample = std::ceil(s.measures.area_every / step);
-  return {whole_number(lattice.particles), whole_number(per_sample * samples)};
+  return {whole_number(lattice.particles), whole_number(per_sample * samples),
+          update_cost(s.space, s.numerics.kernel)};
 }
 
 }  // namespace mpm

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
 #include "runner/catalog/process.hpp"
@@ -115,6 +116,13 @@ CatalogState read_state(const std::filesystem::path& results, const std::vector<
   return state;
 }
 
+/// The place of a column's word in its choice; the first where there is none, as before there was the choice.
+static std::size_t word_at(const SQLite::Column& column, std::string_view choice) {
+  const auto& words = mpm::find_choice(choice)->allowed;
+  const auto at = std::ranges::find(words, column.isNull() ? words[0] : std::string_view(column.getText()));
+  return at == words.end() ? 0 : static_cast<std::size_t>(at - words.begin());
+}
+
 std::vector<CostSample> measured_costs(const std::filesystem::path& results) {
   std::vector<CostSample> samples;
   std::error_code ignored;
@@ -124,12 +132,14 @@ std::vector<CostSample> measured_costs(const std::filesystem::path& results) {
     SQLite::Statement rows(
         *db,
         "SELECT predicted_particles, predicted_steps, cpu_s, coalesce((SELECT min(study_id) "
-        "FROM study_job WHERE job_id = id), '') FROM job "
+        "FROM study_job WHERE job_id = id), ''), space, kernel FROM job "
         "WHERE status = 'done' AND host = ? ORDER BY id DESC LIMIT 1000");
     rows.bind(1, this_process().host);
     while (rows.executeStep())
       samples.push_back({rows.getColumn(0).getDouble(), rows.getColumn(1).getDouble(),
-                         rows.getColumn(2).getDouble(), rows.getColumn(3).getString()});
+                         rows.getColumn(2).getDouble(), rows.getColumn(3).getString(),
+                         mpm::update_cost(static_cast<mpm::Space>(word_at(rows.getColumn(4), "space")),
+                                          static_cast<mpm::Kernel>(word_at(rows.getColumn(5), "kernel")))});
   } catch (const UnfinishedCatalog&) {
   } catch (const SQLite::Exception&) {  // an older layout: run will bring it up to date
     samples.clear();

@@ -35,7 +35,7 @@ CostModel::CostModel(std::span<const CostSample> all) : CostModel() {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const CostSample& s = samples[i];
     x.row(static_cast<Eigen::Index>(i)) = features(s.particles, s.steps).transpose();
-    y[static_cast<Eigen::Index>(i)] = std::log(s.cpu_s / (s.particles * s.steps));
+    y[static_cast<Eigen::Index>(i)] = std::log(s.cpu_s / (s.particles * s.steps * s.update_cost));
     studies.push_back(s.study);
   }
   fit(x, y);
@@ -96,7 +96,8 @@ double CostModel::seconds(const mpm::Estimate& estimate) const {
   const auto particles = static_cast<double>(estimate.particles), steps = static_cast<double>(estimate.steps);
   if (particles <= 0 || steps <= 0) return 0;
   // The mean of a lognormal variable: studies are sums.
-  return particles * steps * std::exp(features(particles, steps).dot(coefficients_) + 0.5 * own_variance_);
+  return particles * steps * estimate.update_cost *
+         std::exp(features(particles, steps).dot(coefficients_) + 0.5 * own_variance_);
 }
 
 Prediction CostModel::total(std::span<const mpm::Estimate> estimates) const {

@@ -1,12 +1,12 @@
 #pragma once
 /// What jobs will cost, learnt from what jobs of this host have cost. Pure.
 ///
-/// Model: log(cpu_s / (particles steps)) = a + b log(particles) + c log(steps) + s + e, over predicted
-/// particles and steps, so that jobs that end early are part of the scatter; s: the same for all jobs of a
-/// study, e: of each job. b and c are held near 0 (0 +- 0.2, a Gaussian prior): few jobs, or jobs of one
-/// size, say little about them. Variances of s and e by the method of moments; with fewer than four studies
-/// those cannot be told apart, and all scatter counts as common to the jobs of a study. Checked by
-/// tests/runner/plan/cost_model_test.cpp.
+/// Model: log(cpu_s / (particles steps cost)) = a + b log(particles) + c log(steps) + s + e, over predicted
+/// particles and steps, so that jobs that end early are part of the scatter; cost:
+/// mpm::Estimate::update_cost; s: the same for all jobs of a study, e: of each job. b and c are held near 0
+/// (0 +- 0.2, a Gaussian prior): few jobs, or jobs of one size, say little about them. Variances of s and e
+/// by the method of moments; with fewer than four studies those cannot be told apart, and all scatter counts
+/// as common to the jobs of a study. Checked by tests/runner/plan/cost_model_test.cpp.
 #include <Eigen/Core>
 #include <optional>
 #include <span>
@@ -25,6 +25,7 @@ struct CostSample {
   double particles = 0, steps = 0;  ///< as they were predicted
   double cpu_s = 0;                 ///< [s]
   std::string study;
+  double update_cost = 1;  ///< mpm::Estimate::update_cost
 };
 
 /// Processor time [s], with its 95 % interval; without one if nothing is known.

@@ -16,6 +16,8 @@
 namespace {
 
 using mpm::verification::axis_aligned_error;
+using mpm::verification::cube_waves_error;
+using mpm::verification::cylinder_waves_error;
 using mpm::verification::vortex_error;
 using enum mpm::ShapeFunction;
 
@@ -52,6 +54,21 @@ TEST(Convergence, AxisAlignedLargeStrainWithBSplinesStopsNearOnePercent) {
   const double fine = axis_aligned_error({bspline2, 32});
   EXPECT_GT(order(coarse, fine), 1.8);
   EXPECT_LT(axis_aligned_error({bspline2, 64}), 0.007);
+}
+
+// In axial symmetry and of three axes, with the scheme of planar impacts.
+TEST(Convergence, CylinderWaves) {
+  expect_all_hold(mpm::verification::cylinder_waves_numbers({}));
+  const double coarse = cylinder_waves_error({bspline2, 16, 2, 0.01});
+  const double fine = cylinder_waves_error({bspline2, 32, 2, 0.01});
+  EXPECT_GT(order(coarse, fine), 1.8);
+}
+TEST(Convergence, CubeWaves) {
+  for (const auto shape : {gimp, bspline2}) {
+    const double coarse = cube_waves_error({shape, 6}), fine = cube_waves_error({shape, 12});
+    EXPECT_GT(order(coarse, fine), 1.8);
+    EXPECT_LT(fine, 0.1);
+  }
 }
 
 TEST(Convergence, Vortex) {

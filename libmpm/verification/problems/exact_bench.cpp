@@ -32,6 +32,11 @@ ExactNumbers sphere(const ExactOptions& o) {
   return imploding_sphere_numbers(sphere_speeds[Row], o);
 }
 
+template <int Row>
+ExactNumbers octant(const ExactOptions& o) {
+  return imploding_octant_numbers(sphere_speeds[Row], o);
+}
+
 const ExactProblem ladder[] = {
     {"hugoniot", "material point behind a steady shock, 20 to 3000 m/s: jump conditions", hugoniot_numbers},
     {"uniaxial-path", "material point loaded, unloaded and loaded again in uniaxial strain",
@@ -57,10 +62,21 @@ const ExactProblem ladder[] = {
     {"sphere-234", "imploding sphere in axisymmetry, 234.7 m/s, perfectly plastic", sphere<0>},
     {"sphere-277", "imploding sphere in axisymmetry, 277.3 m/s, perfectly plastic", sphere<1>},
     {"sphere-306", "imploding sphere in axisymmetry, 306.9 m/s, perfectly plastic", sphere<2>},
+    {"octant-234", "imploding sphere in three dimensions, 234.7 m/s, perfectly plastic", octant<0>},
+    {"octant-277", "imploding sphere in three dimensions, 277.3 m/s, perfectly plastic", octant<1>},
+    {"octant-306", "imploding sphere in three dimensions, 306.9 m/s, perfectly plastic", octant<2>},
     {"axis-aligned", "manufactured solution at 16 % strain: order of convergence", axis_aligned_numbers},
     {"vortex", "generalised vortex: order of convergence", vortex_numbers},
     {"vibrating-bar", "first mode of a bar fixed at one end", vibrating_bar_numbers},
     {"elastic-disks", "two elastic disks meet, rebound and part", elastic_disks_numbers},
+    {"cylinder-waves", "manufactured solution in axisymmetry: order of convergence", cylinder_waves_numbers},
+    {"cube-waves", "manufactured solution in three dimensions: order of convergence", cube_waves_numbers},
+    {"free-flight", "a cube that turns freely keeps its momentum and its angular momentum",
+     free_flight_numbers},
+    {"planar-spaces", "block on a wall in axisymmetry and in three dimensions: the wave of plane strain",
+     planar_spaces_numbers},
+    {"spherical-cavity", "spherical cavity at 200 m/s in three dimensions: as in axisymmetry",
+     spherical_cavity_numbers},
     {"scale", "lengths and times 1024 times larger: the same bits", scale_numbers},
     {"half-and-full", "half of a symmetric scene against all of it", half_and_full_numbers},
     {"wall-and-two-bodies", "block on a wall against two blocks that meet", wall_and_two_bodies_numbers},

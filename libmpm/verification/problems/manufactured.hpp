@@ -15,7 +15,9 @@ struct Manufactured {
 
 /// The largest root mean square error of the particles' places over one period, over the amplitude; infinite
 /// where a particle leaves the grid. E = 1, nu = 0.3, density 1.
-double axis_aligned_error(const Manufactured&);  ///< exact/axis_aligned.hpp, pi A of strain
-double vortex_error(const Manufactured&);        ///< exact/vortex.hpp, on a free ring 0.6 < R < 1.4
+double axis_aligned_error(const Manufactured&);    ///< exact/axis_aligned.hpp, pi A of strain
+double cube_waves_error(const Manufactured&);      ///< exact/standing_waves.hpp, of three axes
+double cylinder_waves_error(const Manufactured&);  ///< ... and in axial symmetry
+double vortex_error(const Manufactured&);          ///< exact/vortex.hpp, on a free ring 0.6 < R < 1.4
 
 }  // namespace mpm::verification

@@ -18,26 +18,34 @@
 namespace mpm::verification {
 
 /// What acts on a neo-Hookean body.
-struct Surroundings {
+template <int axes>
+struct BasicSurroundings {
   std::optional<int> ceiling{};  ///< row of a mirror above; there is always one at the floor and at the sides
   /// b(X, t) [N/kg] on the particle that began at X; empty: none.
-  std::function<mpm::Vec2(const mpm::Vec2& initial, double t)> force{};
+  std::function<mpm::Vec<axes>(const mpm::Vec<axes>& initial, double t)> force{};
 };
+using Surroundings = BasicSurroundings<2>;
 
-/// Cells are squares. A body that is not between mirrors must stay two cells clear of the grid's sides.
-class NeoHookeanBody {
+/// In any space. Cells are squares or cubes. A body that is not between mirrors must stay two cells clear of
+/// the grid's sides.
+template <class Space>
+class NeoHookeanBodyIn {
  public:
-  NeoHookeanBody(const exact::NeoHookean& solid, mpm::Vec2 origin, double cell, int columns)
-      : solid_(solid), body_(mpm::empty_state(origin, {cell, cell}, columns, mpm::Floor::mirror)) {}
+  using Vector = mpm::Vec<Space::axes>;
 
-  /// A particle at rest density: volume [m^2] and half of its edge [m].
-  void add(const mpm::Vec2& x, const mpm::Vec2& velocity, double volume, double half) {
-    body_.particles.add(x, velocity, solid_.density * volume, volume, {half, half});
+  /// `columns`: cells across, and of three axes deep.
+  NeoHookeanBodyIn(const exact::NeoHookean& solid, const Vector& origin, double cell, int columns)
+      : solid_(solid), body_(nothing_yet(origin, cell, columns)) {}
+
+  /// A particle at rest density: what it fills [m^2], of three axes [m^3], and half of its edge [m].
+  void add(const Vector& x, const Vector& velocity, double filled, double half) {
+    const double volume = Space::has_hoop ? filled * x.x() : filled;
+    body_.particles.add(x, velocity, solid_.density * volume, volume, Vector::Constant(half));
     initial_.push_back(x);
   }
   /// To be called once, after the last particle and before the first step.
   template <class Shape, class Transfer = mpm::Flip>
-  void begin(const Surroundings& around, const Transfer& transfer = {}) {
+  void begin(const BasicSurroundings<Space::axes>& around, const Transfer& transfer = {}) {
     const mpm::Scene scene = frame();
     body_.ceiling = around.ceiling;
     simulation_.emplace(scene, std::move(body_));
@@ -51,30 +59,30 @@ class NeoHookeanBody {
   }
   void step(double dt) { simulation_->step(dt); }
 
-  const mpm::Particles& particles() { return simulation_->state().particles; }
-  const mpm::Grid& grid() { return simulation_->state().grid; }
-  const std::vector<mpm::Vec2>& initial() const { return initial_; }  ///< X of each particle [m]
-  double time() const { return simulation_->time(); }                 ///< [s]
+  const auto& particles() { return simulation_->state().particles; }
+  const auto& grid() { return simulation_->state().grid; }
+  const std::vector<Vector>& initial() const { return initial_; }  ///< X of each particle [m]
+  double time() const { return simulation_->time(); }              ///< [s]
 
   double mass() {  ///< [kg/m]
     double sum = 0;
     for (const double m : particles().mass) sum += m;
     return sum;
   }
-  mpm::Vec2 momentum() {  ///< [kg/s]
-    const mpm::Particles& ps = particles();
-    mpm::Vec2 sum(0, 0);
+  Vector momentum() {  ///< [kg/s]
+    const auto& ps = particles();
+    Vector sum = Vector::Zero();
     for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.velocity[p];
     return sum;
   }
   double kinetic_energy() {  ///< [J/m]
-    const mpm::Particles& ps = particles();
+    const auto& ps = particles();
     double sum = 0;
     for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.velocity[p].squaredNorm() / 2;
     return sum;
   }
-  double strain_energy() {  ///< of the deformation, by the solid's W [J/m]
-    const mpm::Particles& ps = particles();
+  double strain_energy() requires(Space::axes == 2) {  ///< of the deformation, by the solid's W [J/m]
+    const auto& ps = particles();
     const auto b = ps.own_values("left_cauchy_green_less_one");  // xx, yy, zz, xy
     double sum = 0;
     for (std::size_t p = 0; p < ps.size(); ++p)
@@ -83,7 +91,7 @@ class NeoHookeanBody {
     return sum;
   }
   double internal_energy() {  ///< what the stress did, and the heat of the transfer [J/m]
-    const mpm::Particles& ps = particles();
+    const auto& ps = particles();
     double sum = 0;
     for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.energy[p];
     return sum;
@@ -92,11 +100,18 @@ class NeoHookeanBody {
  private:
   template <class Shape, class Transfer, class Force>
   void use(const mpm::Scene& scene, const Transfer& transfer, Force force) {
-    using Stepper = mpm::ReferenceStepper<Shape, Transfer, mpm::space::PlaneStrain, Force>;
+    using Stepper = mpm::ReferenceStepper<Shape, Transfer, Space, Force>;
     simulation_->use(std::make_unique<Stepper>(mpm::build_material(scene), transfer, force));
+  }
+  static mpm::BasicState<Space::axes> nothing_yet(const Vector& origin, double cell, int columns) {
+    if constexpr (Space::axes == 2)
+      return mpm::empty_state(origin, {cell, cell}, columns, mpm::Floor::mirror, Space::value);
+    else
+      return mpm::empty_state(origin, Vector::Constant(cell), columns, columns, mpm::Floor::mirror);
   }
   mpm::Scene frame() const {
     mpm::Scene scene;
+    scene.space = Space::value;
     mpm::Material& m = scene.material;
     m.name = "neo-Hookean";
     m.law = mpm::MaterialLaw::neo_hookean;
@@ -104,7 +119,7 @@ class NeoHookeanBody {
     m.youngs_modulus = solid_.youngs_modulus();
     m.pressure_limit = std::numeric_limits<double>::max();
     m.poissons_ratio = solid_.lambda / (2 * (solid_.lambda + solid_.mu));
-    scene.numerics = mpm::default_numerics(mpm::SceneKind::cavity_impact);
+    scene.numerics = mpm::default_numerics(mpm::SceneKind::cavity_impact, Space::value);
     scene.numerics.kernel = mpm::Kernel::reference;
     scene.numerics.linear_viscosity = scene.numerics.quadratic_viscosity = 0;
     scene.numerics.cell_size = body_.grid.cell().x();
@@ -113,9 +128,10 @@ class NeoHookeanBody {
   }
 
   exact::NeoHookean solid_;
-  mpm::State body_;
-  std::vector<mpm::Vec2> initial_;
-  std::optional<mpm::Simulation> simulation_;
+  mpm::BasicState<Space::axes> body_;
+  std::vector<Vector> initial_;
+  std::optional<mpm::BasicSimulation<Space::axes>> simulation_;
 };
+using NeoHookeanBody = NeoHookeanBodyIn<mpm::space::PlaneStrain>;
 
 }  // namespace mpm::verification

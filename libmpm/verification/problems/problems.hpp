@@ -23,17 +23,27 @@ ExactNumbers imploding_shell_numbers(double inner_speed, bool hardening, const E
 
 /// ... a sphere of the same radii, in axisymmetry.
 ExactNumbers imploding_sphere_numbers(double inner_speed, const ExactOptions&);
+/// ... an octant of it, in three dimensions, against the exact stop and against axisymmetry. 16 cells across
+/// the wall.
+ExactNumbers imploding_octant_numbers(double inner_speed, const ExactOptions&);
 
 // elastic_numbers.cpp: neo-Hookean bodies.
 ExactNumbers axis_aligned_numbers(const ExactOptions&);
 ExactNumbers vortex_numbers(const ExactOptions&);
 ExactNumbers vibrating_bar_numbers(const ExactOptions&);
 ExactNumbers elastic_disks_numbers(const ExactOptions&);
+ExactNumbers cylinder_waves_numbers(const ExactOptions&);  ///< in axisymmetry
+ExactNumbers cube_waves_numbers(const ExactOptions&);      ///< in three dimensions
 
 // invariances.cpp: two descriptions of one thing.
 ExactNumbers scale_numbers(const ExactOptions&);
 ExactNumbers half_and_full_numbers(const ExactOptions&);
 ExactNumbers wall_and_two_bodies_numbers(const ExactOptions&);
 ExactNumbers moving_frame_numbers(const ExactOptions&);
+ExactNumbers planar_spaces_numbers(const ExactOptions&);
+ExactNumbers spherical_cavity_numbers(const ExactOptions&);
+
+/// free_flight.cpp: what turns freely in three dimensions keeps its angular momentum.
+ExactNumbers free_flight_numbers(const ExactOptions&);
 
 }  // namespace mpm::verification

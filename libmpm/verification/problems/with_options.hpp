@@ -11,7 +11,11 @@ namespace mpm::verification {
 inline mpm::Scene with_options(mpm::Scene scene, const ExactOptions& options) {
   mpm::Numerics& n = scene.numerics;
   n.scheme = options.scheme.value_or(n.scheme);
-  n.particles_per_cell = options.particles_per_cell.value_or(n.particles_per_cell);
+  if (options.particles_per_cell) {
+    const int square = *options.particles_per_cell;  // of three axes as many to each edge
+    n.particles_per_cell =
+        scene.space == mpm::Space::three_d ? static_cast<int>(std::lround(std::pow(square, 1.5))) : square;
+  }
   if (!mpm::fast_step_has(scene)) n.kernel = mpm::Kernel::reference;
   return scene;
 }

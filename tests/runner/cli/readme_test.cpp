@@ -110,8 +110,13 @@ TEST_F(Readme, ExamplesRunAndAreDrawn) {
     EXPECT_EQ(output.find("not drawn"), std::string::npos) << output;
     EXPECT_FALSE(fs::is_empty(folder.path() / "results" / "figures" / name));
   }
-  EXPECT_GE(examples, 5u);
+  EXPECT_GE(examples, 6u);
   EXPECT_EQ(number("SELECT count(*) FROM jobs WHERE status <> 'done'"), 0);
+  // The same cavity in axial symmetry and in three dimensions.
+  EXPECT_LT(
+      number("SELECT CAST(1000 * (max(collapsibility) - min(collapsibility)) AS INTEGER) FROM jobs WHERE "
+             "study = 'solid'"),
+      30);
   // A sphere closes sooner than a cylinder.
   EXPECT_GT(number("SELECT CAST(100 * min(collapsibility) AS INTEGER) FROM jobs WHERE study = 'sphere' AND "
                    "space = 'axisymmetric'"),

@@ -12,6 +12,18 @@ namespace {
 
 using testing::DoubleNear;
 
+// Jobs in three dimensions cost more for each update: as a guess, and learnt from others.
+TEST(CostModel, KnowsThatUpdatesOfOtherKernelsAndSpacesCostMore) {
+  const mpm::Estimate fast{1000, 1000}, slow{1000, 1000, 20};
+  const CostModel guess;
+  EXPECT_NEAR(guess.seconds(slow) / guess.seconds(fast), 20, 1e-12);
+  CostSample seen{1000, 1000, 4, "a"};
+  seen.update_cost = 20;
+  const CostModel learnt(std::vector<CostSample>{seen, seen, seen});
+  EXPECT_NEAR(learnt.seconds(slow), 4, 1e-9);
+  EXPECT_NEAR(learnt.seconds(fast), 0.2, 1e-9);
+}
+
 /// A host on which larger jobs are slower for each update, studies differ by 30 % and jobs by 10 %.
 class Host {
  public:
