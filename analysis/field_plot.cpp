@@ -12,7 +12,7 @@
 namespace analysis {
 namespace {
 
-/// Room around and between panels, in points; panel images have `pixels_per_point` pixels a point.
+/// Room around and between panels, in points; panel images have `pixels_per_point` pixels per point.
 constexpr double left = 76, right = 118, top = 50, bottom = 76, gap_x = 18, gap_y = 30;
 constexpr double figure_width = 900;
 constexpr double pixels_per_point = 2;
@@ -27,7 +27,7 @@ constexpr std::string_view grey = "(0 '#000000', 1 '#ffffff')";
 void check(const FieldPlot& plot) {
   bool something = false;
   for (const FieldPanel& panel : plot.panels) {
-    const Particles& p = panel.particles;
+    const ParticleSquares& p = panel.particles;
     if (p.y.size() != p.x.size() || p.size.size() != p.x.size() || p.value.size() != p.x.size())
       throw std::invalid_argument("figure '" + plot.title + "': columns of panel '" + panel.title +
                                   "' have unequal lengths");
@@ -167,7 +167,7 @@ std::string frame_script(const FieldPlot& plot, const Layout& l, const Window& w
 
 void draw(const FieldPlot& plot, const std::filesystem::path& stem) {
   check(plot);
-  std::vector<const Particles*> snapshots;
+  std::vector<const ParticleSquares*> snapshots;
   for (const FieldPanel& panel : plot.panels)
     if (!panel.particles.x.empty()) snapshots.push_back(&panel.particles);
   const Window window = plot.window ? *plot.window : window_of(snapshots, plot.mirrored);

@@ -18,13 +18,13 @@ enum class Palette {
 
 struct FieldPanel {
   std::string title;  ///< "t = 1.62 ns": value_label() of the time
-  Particles particles;
+  ParticleSquares particles;
 };
 
 struct FieldPlot {
   std::string title;
   std::string footer;
-  Quantity value;         ///< of Particles::value
+  QuantityLabel value;    ///< of ParticleSquares::value
   bool mirrored = false;  ///< x >= 0 was modelled: show the other half too
   Palette palette = Palette::viridis;
   std::vector<FieldPanel> panels;
@@ -33,8 +33,8 @@ struct FieldPlot {
       range;  ///< of the colours, SI; else what 99 % of all particles lie in, 99.9 % of what begins at zero
 };
 
-/// Writes stem.png and stem.svg: one panel a snapshot, up to three in a row, all of one scale of length (both
-/// axes alike) and colour. Throws std::invalid_argument where there is nothing to draw or columns have
+/// Writes stem.png and stem.svg: one panel per snapshot, up to three in a row, all of one scale of length
+/// (both axes alike) and colour. Throws std::invalid_argument where there is nothing to draw or columns have
 /// unequal lengths, std::runtime_error where gnuplot or the disk fails.
 void draw(const FieldPlot&, const std::filesystem::path& stem);
 

@@ -22,8 +22,8 @@ using Eigen::VectorXd;
 
 int coefficient_count(FitModel model) { return model == FitModel::linear ? 2 : 3; }
 
-std::string find_problem(FitModel model, std::span<const double> x, std::span<const double> y,
-                         std::span<const double> y_error) {
+std::string failure_of(FitModel model, std::span<const double> x, std::span<const double> y,
+                       std::span<const double> y_error) {
   const auto finite = [](double v) { return std::isfinite(v); };
   const std::string needed = std::to_string(coefficient_count(model));
   if (x.size() != y.size() || (!y_error.empty() && y_error.size() != y.size()))
@@ -120,7 +120,7 @@ Fit fit_polynomial(FitModel model, std::span<const double> x, std::span<const do
   Fit fit;
   fit.model = model;
   fit.points = static_cast<int>(x.size());
-  fit.problem = find_problem(model, x, y, y_error);
+  fit.failure = failure_of(model, x, y, y_error);
   if (!fit.ok()) return fit;
 
   const auto [low, high] = std::ranges::minmax(x);
@@ -141,7 +141,7 @@ Fit fit_polynomial(FitModel model, std::span<const double> x, std::span<const do
   }
   const Eigen::ColPivHouseholderQR<MatrixXd> qr(root_weight.asDiagonal() * design);
   if (qr.rank() < count) {
-    fit.problem = "the x lie too close together for a " + std::string(name(model)) + " fit";
+    fit.failure = "the x lie too close together for a " + std::string(name(model)) + " fit";
     return fit;
   }
   const VectorXd solution = qr.solve(root_weight.asDiagonal() * values);

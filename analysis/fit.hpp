@@ -22,7 +22,7 @@ std::string_view name(FitModel);
 /// A fitted polynomial, or why there is none. Never holds a nan.
 struct Fit {
   FitModel model = FitModel::linear;
-  std::string problem;               ///< why there is no fit; empty: there is one
+  std::string failure;               ///< why there is no fit; empty: there is one
   std::vector<double> coefficients;  ///< c0, c1, ... [unit of y / unit of x^k]
   /// Of the coefficients, same units. Empty where they are unknown: as many points as coefficients and no
   /// errors.
@@ -39,7 +39,7 @@ struct Fit {
 
   bool weighted = false;  ///< by the errors of y
 
-  bool ok() const { return problem.empty(); }
+  bool ok() const { return failure.empty(); }
   /// Weighted squares of the residuals per degree of freedom. Above 1 the points scatter more than their
   /// errors say: the model does not hold within them. Empty without errors or without a point to spare.
   std::optional<double> reduced_chi2() const;
@@ -64,7 +64,7 @@ struct Fit {
 /// Without errors every point weighs the same, and standard errors follow from the scatter about the curve.
 /// With errors (standard deviations of y, > 0) the weights are 1 / error^2, and the covariance (X^T W X)^-1
 /// is raised by chi^2 / dof where that is above 1 (points that scatter more than their errors say, as the
-/// Particle Data Group does it). Bad data give a Fit whose `problem` says what: unequal lengths, numbers that
+/// Particle Data Group does it). Bad data give a Fit whose `failure` says what: unequal lengths, numbers that
 /// are not finite, errors not positive, fewer points or fewer distinct x than coefficients. Checked against
 /// certified values by tests/analysis/fit_test.cpp.
 Fit fit_polynomial(FitModel, std::span<const double> x, std::span<const double> y,

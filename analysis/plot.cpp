@@ -244,7 +244,7 @@ std::string ranges(const Plot& plot, const DisplayUnit& y) {
 
 std::string caption_of(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y) {
   if (!plot.fit) return {};
-  if (!plot.fit->ok()) return "no fit: " + plot.fit->problem;
+  if (!plot.fit->ok()) return "no fit: " + plot.fit->failure;
   return fit_caption(*plot.fit, plot.x, x, plot.y, y);
 }
 
@@ -307,9 +307,9 @@ std::string with_error(double value, std::optional<double> error) {
 
 }  // namespace
 
-std::string fit_caption(const Fit& fit, const Quantity& x, const DisplayUnit& x_unit, const Quantity& y,
-                        const DisplayUnit& y_unit) {
-  const auto symbol = [](const Quantity& q) { return q.symbol.empty() ? q.name : q.symbol; };
+std::string fit_caption(const Fit& fit, const QuantityLabel& x, const DisplayUnit& x_unit,
+                        const QuantityLabel& y, const DisplayUnit& y_unit) {
+  const auto symbol = [](const QuantityLabel& q) { return q.symbol.empty() ? q.name : q.symbol; };
   constexpr std::array<const char*, 3> powers = {"", "", "²"};
   std::string text = symbol(y) + " =";
   for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {

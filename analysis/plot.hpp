@@ -24,9 +24,9 @@ struct Plot {
   Kind kind = Kind::history;
   std::string title;
   std::string footer;  ///< small, below: catalog hash, physics version
-  Quantity x, y;
+  QuantityLabel x, y;
   std::vector<Series> series;
-  /// Drawn with its 95 % band where ok(), its formula under the title; where not, the problem is said there.
+  /// Drawn with its 95 % band where ok(), its formula under the title; where not, its failure is said there.
   /// SI.
   std::optional<Fit> fit;
   bool y_from_zero = false;  ///< the y axis starts at 0
@@ -35,7 +35,7 @@ struct Plot {
 
 /// "Φ = (0.98 ± 0.02) − (0.11 ± 0.01) R;  R in µm;  r² = 0.998;  χ²/ν = 0.4" in the units of the axes. χ²/ν,
 /// per degree of freedom, only where the errors of the points are its weights; above 1 it says "lack of fit".
-std::string fit_caption(const Fit&, const Quantity& x, const DisplayUnit&, const Quantity& y,
+std::string fit_caption(const Fit&, const QuantityLabel& x, const DisplayUnit&, const QuantityLabel& y,
                         const DisplayUnit&);
 
 /// Writes stem.png (1800 x 1200) and stem.svg (900 x 600). Throws std::invalid_argument where there is

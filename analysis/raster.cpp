@@ -68,7 +68,7 @@ std::pair<double, double> spread(std::vector<double> values) {
 
 }  // namespace
 
-Raster rasterise(const Particles& particles, bool mirrored, const Window& window, int columns, int rows,
+Raster rasterise(const ParticleSquares& particles, bool mirrored, const Window& window, int columns, int rows,
                  double overlap) {
   Canvas canvas(window, columns, rows);
   for (std::size_t p = 0; p < particles.x.size(); ++p) {
@@ -81,17 +81,17 @@ Raster rasterise(const Particles& particles, bool mirrored, const Window& window
   return canvas.take();
 }
 
-Window window_of(const std::vector<const Particles*>& snapshots, bool mirrored) {
+Window window_of(const std::vector<const ParticleSquares*>& snapshots, bool mirrored) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Window w{inf, -inf, inf, -inf};
-  for (const Particles* s : snapshots) {
+  for (const ParticleSquares* s : snapshots) {
     const auto [x0, x1] = spread(s->x);
     const auto [y0, y1] = spread(s->y);
     w = {std::min(w.x_min, x0), std::max(w.x_max, x1), std::min(w.y_min, y0), std::max(w.y_max, y1)};
   }
   if (mirrored) w.x_min = -(w.x_max = std::max(std::abs(w.x_min), std::abs(w.x_max)));
   double margin = 0.03 * std::max(w.width(), w.height());
-  for (const Particles* s : snapshots)
+  for (const ParticleSquares* s : snapshots)
     margin = std::max(margin, spread(s->size).second);  // a single particle has room
   return {w.x_min - margin, w.x_max + margin, w.y_min - margin, w.y_max + margin};
 }

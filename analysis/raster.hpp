@@ -11,7 +11,7 @@ struct Window {
 };
 
 /// One snapshot: columns of one length, SI.
-struct Particles {
+struct ParticleSquares {
   std::vector<double> x, y;   ///< centres [m]
   std::vector<double> size;   ///< side of the square that it fills, e.g. sqrt(mass / density) [m]
   std::vector<double> value;  ///< what is coloured
@@ -27,9 +27,10 @@ struct Raster {
 /// `overlap`, covers it (stretched material shows no gaps, open cavities stay open). With `mirrored`, each
 /// particle is drawn at -x as well. Non-finite particles are left out. Independent of the order of particles,
 /// ties aside.
-Raster rasterise(const Particles&, bool mirrored, const Window&, int columns, int rows, double overlap = 2.2);
+Raster rasterise(const ParticleSquares&, bool mirrored, const Window&, int columns, int rows,
+                 double overlap = 2.2);
 
 /// Where nearly all particles of these snapshots are (all but one in a thousand at each side), with a margin.
-Window window_of(const std::vector<const Particles*>&, bool mirrored);
+Window window_of(const std::vector<const ParticleSquares*>&, bool mirrored);
 
 }  // namespace analysis

@@ -59,8 +59,8 @@ bool is_known_unit(std::string_view unit) {
   return std::ranges::find(scales, with_powers(unit), &Scale::si) != scales.end();
 }
 
-Quantity quantity_of(std::string_view full_name, std::string_view si_unit, std::string_view symbol,
-                     std::string_view title) {
+QuantityLabel quantity_label(std::string_view full_name, std::string_view si_unit, std::string_view symbol,
+                             std::string_view title) {
   const std::string unit = with_powers(si_unit);
   if (!title.empty()) return {std::string(title), std::string(symbol), unit};
   std::string words(without_unit(full_name, unit));
@@ -88,21 +88,21 @@ DisplayUnit fixed_unit(std::string_view si_unit, double largest) {
   return display_unit(si_unit, largest);
 }
 
-std::string axis_label(const Quantity& quantity, const DisplayUnit& unit) {
+std::string axis_label(const QuantityLabel& quantity, const DisplayUnit& unit) {
   std::string label = quantity.name;
   if (!quantity.symbol.empty()) label += " " + quantity.symbol;
   if (!unit.text.empty()) label += " (" + unit.text + ")";
   return label;
 }
 
-std::string value_label(const Quantity& quantity, double in_si, int digits) {
+std::string value_label(const QuantityLabel& quantity, double in_si, int digits) {
   const DisplayUnit unit = display_unit(quantity.unit, in_si);
   const std::string& name = quantity.symbol.empty() ? quantity.name : quantity.symbol;
   return fmt::format("{} = {:.{}g}{}{}", name, in_si * unit.factor, digits, unit.text.empty() ? "" : " ",
                      unit.text);
 }
 
-std::vector<std::string> value_labels(const Quantity& quantity, std::span<const double> in_si) {
+std::vector<std::string> value_labels(const QuantityLabel& quantity, std::span<const double> in_si) {
   constexpr int fewest_digits = 4, most_digits = 17;
   const std::set<double> values(in_si.begin(), in_si.end());
   for (int digits = fewest_digits;; ++digits) {

@@ -7,7 +7,7 @@
 namespace analysis {
 
 /// A quantity as people read it. Numbers are SI everywhere else.
-struct Quantity {
+struct QuantityLabel {
   std::string name;    ///< "Cavity radius"
   std::string symbol;  ///< "R"; may be empty
   std::string unit;    ///< SI, as catalog and library write it: "m", "m^2", "Pa", "1", ...
@@ -15,8 +15,8 @@ struct Quantity {
 
 /// The quantity that a study or the catalog calls by this name. Without a title its name is the words of the
 /// name; a unit that the name ends in, as columns and metrics do ("centroid_shift_m"), is none of them.
-Quantity quantity_of(std::string_view name, std::string_view si_unit = "1", std::string_view symbol = "",
-                     std::string_view title = "");
+QuantityLabel quantity_label(std::string_view name, std::string_view si_unit = "1",
+                             std::string_view symbol = "", std::string_view title = "");
 
 /// "m2" -> "m^2": the catalog writes powers without the mark.
 std::string with_powers(std::string_view unit);
@@ -43,13 +43,13 @@ DisplayUnit display_unit(std::string_view si_unit, double largest);
 DisplayUnit fixed_unit(std::string_view si_unit, double largest);
 
 /// "Cavity radius R (µm)", "Collapsibility Φ".
-std::string axis_label(const Quantity&, const DisplayUnit&);
+std::string axis_label(const QuantityLabel&, const DisplayUnit&);
 
 /// "R = 1.5 µm", for legends; four digits, or as many as are asked for.
-std::string value_label(const Quantity&, double in_si, int digits = 4);
+std::string value_label(const QuantityLabel&, double in_si, int digits = 4);
 
 /// value_label of each value, with as many digits, from four on, as it takes for different values to have
 /// different labels. Equal values have equal ones.
-std::vector<std::string> value_labels(const Quantity&, std::span<const double> in_si);
+std::vector<std::string> value_labels(const QuantityLabel&, std::span<const double> in_si);
 
 }  // namespace analysis

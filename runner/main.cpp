@@ -77,8 +77,8 @@ int run(CLI::App& app, int argc, char** argv) {
 }
 
 /// Output that is lost is a failure, also when all went well until then (`mpmstudy query ... > file` on a
-/// full disk). Verbs write without looking; the streams remember, and are asked here once. std::cout writes
-/// through stdio, so it goes first.
+/// full disk). Verbs do not check what they write; the state of the streams is checked here once. std::cout
+/// writes through stdio, so it goes first.
 int check_output(int exit_code) {
   errno = 0;
   const bool streamed = static_cast<bool>(std::cout.flush());

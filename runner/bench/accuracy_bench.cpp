@@ -126,7 +126,7 @@ std::vector<const AccuracyProblem*> wanted(const std::vector<AccuracyProblem>& a
 }  // namespace
 
 std::string AccuracyScheme::label() const {
-  std::string text = shape + ", " + std::to_string(particles_per_cell) + " a cell";
+  std::string text = shape + ", " + std::to_string(particles_per_cell) + " per cell";
   if (transfer != "flip") text += ", " + transfer;
   if (precision != "double") text += ", " + precision;
   return text;

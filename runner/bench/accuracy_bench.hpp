@@ -1,5 +1,5 @@
 #pragma once
-/// What an error costs: every problem of known answer, run by every scheme on a ladder of cells.
+/// What accuracy costs: every problem of known answer, run by every scheme on a ladder of cells.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -30,7 +30,7 @@ struct AccuracyScheme {
   std::string transfer = "flip", precision = "double";  ///< as in the parameter table
   bool is_default = false;                              ///< of the problem's kind of scene
 
-  /// "bspline2, 4 a cell, apic, float"; what most schemes are is left out.
+  /// "bspline2, 4 per cell, apic, float"; what most schemes are is left out.
   std::string label() const;
   bool operator==(const AccuracyScheme&) const = default;
 };

@@ -26,7 +26,7 @@ struct KernelBenchRow {
 };
 
 struct KernelBenchOptions {
-  std::vector<std::int64_t> particles = {10000, 150000};  ///< wanted; the lattice gives about that many
+  std::vector<std::int64_t> particles = {10000, 150000};  ///< wanted; the scene gives about that many
   std::vector<int> threads = {1};                         ///< of the fast step, in one run
   int repetitions = 5;                                    ///< of which the median counts
   double seconds = 0.3;                                   ///< of one repetition

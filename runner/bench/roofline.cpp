@@ -53,7 +53,7 @@ typedef double Double4 __attribute__((vector_size(32)));
 typedef float Float4 __attribute__((vector_size(16)));
 typedef float Float8 __attribute__((vector_size(32)));
 
-/// Work a second, the best of a few.
+/// Work per second, the best of a few.
 template <class Work>
 double best_rate(int repetitions, double seconds, Work work) {
   double best = 0;
@@ -72,7 +72,7 @@ double best_rate(int repetitions, double seconds, Work work) {
 Roofline measure_roofline(int repetitions, double seconds) {
   const bool fused = mpm::fast::supported(mpm::fast::InstructionSet::avx2);
   constexpr long rounds = 100000;
-  constexpr std::size_t count = std::size_t{1} << 23;  // 64 MiB an array
+  constexpr std::size_t count = std::size_t{1} << 23;  // 64 MiB per array
   Roofline r;
   r.gigaflops_double =
       1e-9 * best_rate(repetitions, seconds, [&] {

@@ -1,5 +1,5 @@
 #pragma once
-/// What a catalog knows, for planners.
+/// What a catalog has, for planners.
 #include <filesystem>
 #include <memory>
 
@@ -10,7 +10,7 @@ namespace mpmstudy {
 /// Each call sees what is committed then. Jobs of every study are known, by key. For one thread.
 class CatalogAnswers : public Answers {
  public:
-  /// A folder without a catalog knows nothing. Throws CatalogError, as every call does.
+  /// For a folder without a catalog every answer is empty. Throws CatalogError, as every call does.
   explicit CatalogAnswers(const std::filesystem::path& results);
   ~CatalogAnswers() override;
 

@@ -59,7 +59,7 @@ void lock_down(SQLite::Database& db) {
   sqlite3_set_authorizer(handle, allow_reading, nullptr);
 }
 
-/// Finalized when it goes.
+/// Finalized when it is destroyed.
 struct Finalize {
   void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
@@ -82,7 +82,7 @@ class TimeLimit {
 
 /// What is not there may be there after an update.
 std::string older_note(sqlite3* handle) {
-  sqlite3_set_authorizer(handle, nullptr, nullptr);  // the connection is given up
+  sqlite3_set_authorizer(handle, nullptr, nullptr);  // the connection is not used again
   sqlite3_stmt* raw = nullptr;
   sqlite3_prepare_v2(handle, "PRAGMA user_version", -1, &raw, nullptr);
   const Prepared version(raw);
@@ -101,7 +101,7 @@ std::string older_note(sqlite3* handle) {
   throw CatalogError("query: " + message + older_note(handle));
 }
 
-/// Plain SQLite: Statement of SQLiteCpp drops what stands behind the first statement without a word.
+/// Plain SQLite: Statement of SQLiteCpp silently ignores what follows the first statement.
 Prepared prepare(sqlite3* handle, const std::string& sql) {
   if (sql.find('\0') != std::string::npos) throw CatalogError("query: the SQL holds a zero byte");
   sqlite3_stmt* raw = nullptr;

@@ -52,8 +52,9 @@ StudyState read_no_study(SQLite::Database& db) {
 constexpr std::string_view of_studies =
     "LEFT JOIN study_job m ON m.job_id = j.id LEFT JOIN study s ON s.id = m.study_id ";
 
-/// As far as one look can say: of a process that cannot be looked for from here, whether its last sign of
-/// life is of the last ten minutes, by whatever clock. Nobody's jobs are taken for that.
+/// Whether a process may still run. One that cannot be looked for from here is taken to run if its last sign
+/// of life is less than ten minutes old, by its own clock or by this one. Only for display: no job is taken
+/// from a process for this reason.
 bool may_live(const RunnerRow& runner) {
   constexpr double recent_s = 600;
   return runner.gone.empty() &&

@@ -117,8 +117,8 @@ struct Claim {
   std::string note;      ///< what the verdict rests on
 };
 
-/// The answer to a wish to run a job.
-struct JobClaim {
+/// The answer to a request to run a job.
+struct JobReservation {
   bool mine = false;                        ///< it is this process's to run
   JobStatus status = JobStatus::cancelled;  ///< what it is, if it is not: running (by another), done, failed
   std::int64_t crashes = 0;                 ///< how often its process has ended while it ran

@@ -46,7 +46,7 @@ std::optional<Store::Impl::Row> Store::Impl::find(const Job& job) {
   const std::string former = former_key(job.scene);
   if (former == job.key) return std::nullopt;
   const auto row = find(former);
-  if (!row || row->status == JobStatus::running) return row;  // its process knows it by that key
+  if (!row || row->status == JobStatus::running) return row;  // its process uses that key
   SQLite::Statement rename(*db, "UPDATE job SET key = ?, former_key = ? WHERE id = ?");
   execute(rename, job.key, former, row->id);
   record(row->id, row->status, row->status, row->attempt,

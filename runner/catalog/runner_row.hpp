@@ -1,5 +1,5 @@
 #pragma once
-/// A row of `runner`: who it is, and whether it still runs what it claimed.
+/// A row of `runner`: who it is, and whether it still runs what it reserved.
 #include <string>
 #include <string_view>
 

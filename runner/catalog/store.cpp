@@ -40,14 +40,14 @@ void Store::begin_part() { impl_->db->exec("SAVEPOINT part"); }
 void Store::commit_part() { impl_->db->exec("RELEASE part"); }
 void Store::rollback_part() { impl_->db->exec("ROLLBACK TO part; RELEASE part"); }
 
-JobClaim Store::claim(const std::string& key) {
+JobReservation Store::reserve(const std::string& key) {
   auto row = impl_->find(key);
   if (!row) return {};
   if (row->status == JobStatus::running && impl_->take_up(*row)) row = impl_->find(key);
   if (row->status != JobStatus::planned) return {false, row->status, row->crashes};
   execute(impl_->start, impl_->runner, utc_now(), row->id);
   impl_->record(row->id, JobStatus::planned, JobStatus::running, row->attempt + 1);
-  impl_->claimed.insert(key);
+  impl_->reserved.insert(key);
   impl_->held.insert(key);
   return {true, JobStatus::running, row->crashes};
 }
@@ -67,7 +67,7 @@ void Store::release(const std::string& key, const std::string& reason) {
   impl_->record(row->id, JobStatus::running, JobStatus::planned, row->attempt, reason);
 }
 
-bool Store::finish(const FinishedJob& job) {
+bool Store::complete(const FinishedJob& job) {
   impl_->held.erase(job.key);
   const auto row = impl_->find_mine(job.key);
   if (!row) return false;

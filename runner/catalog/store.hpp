@@ -46,15 +46,15 @@ class Store {
   JobStatus add_finer(const std::string& study, const Job& rung, bool retry_failed);
 
   /// planned -> running, by this process. A job that another one runs is taken up if that one is gone.
-  JobClaim claim(const std::string& key);
-  /// The child process that ran the job died; gives back how often its process has, 0 if another process has
-  /// taken the job up. Throws CatalogError for a job that this process never ran.
+  JobReservation reserve(const std::string& key);
+  /// The child process that ran the job died; gives back how often that has happened, 0 if another process
+  /// has taken the job up. Throws CatalogError for a job that this process never ran.
   std::int64_t crashed(const std::string& key);
   /// running -> planned. Nothing happens if another process has taken the job up.
   void release(const std::string& key, const std::string& reason);
   /// running -> done or failed, with everything that belongs to it. False, and nothing is written, if another
   /// process has taken the job up. Both throw CatalogError for a job that this process never ran.
-  bool finish(const FinishedJob&);
+  bool complete(const FinishedJob&);
 
   void replace_intervals(const std::string& study, const std::vector<IntervalRow>&);
   void replace_fits(const std::string& study, const std::vector<FitRow>&);

@@ -32,9 +32,9 @@ struct Store::Impl {
   StoreOptions options;
   std::unique_ptr<SQLite::Database> db;
   std::int64_t runner = 0;
-  std::unordered_set<std::string> claimed;  ///< keys of jobs that this process runs, or did
-  std::unordered_set<std::string> held;     ///< ... that it has neither decided nor let go
-  Heartbeats heartbeats;                    ///< of other runners
+  std::unordered_set<std::string> reserved;  ///< keys of jobs that this process runs, or did
+  std::unordered_set<std::string> held;      ///< ... that it has neither decided nor released
+  Heartbeats heartbeats;                     ///< of other runners
 
   SQLite::Statement select_job{*db, "SELECT id, status, attempt, runner_id, crashes FROM job WHERE key = ?"};
   SQLite::Statement insert_job{*db, insert_job_sql()};
@@ -90,7 +90,7 @@ struct Store::Impl {
     Row row{select_job.getColumn(0).getInt64(), job_status_from(select_job.getColumn(1).getString()),
             select_job.getColumn(2).getInt64(), select_job.getColumn(3).getInt64(),
             select_job.getColumn(4).getInt64()};
-    select_job.reset();  // or the statement would hold the read open
+    select_job.reset();  // else the read transaction would stay open
     return row;
   }
 
@@ -98,7 +98,7 @@ struct Store::Impl {
   std::optional<Row> find_mine(const std::string& key) {
     const auto row = find(key);
     if (row && row->status == JobStatus::running && row->runner == runner) return row;
-    if (!row || !claimed.contains(key)) throw CatalogError("job " + key + " is not run by this process");
+    if (!row || !reserved.contains(key)) throw CatalogError("job " + key + " is not run by this process");
     return std::nullopt;
   }
 

@@ -128,7 +128,7 @@ void replace_all(std::string& sql, std::string_view what, const std::string& wit
     sql.replace(at, what.size(), with);
 }
 
-/// What stands between two @ is said once, here.
+/// Replaces what stands between two @.
 std::string filled(std::string sql) {
   for (const mpm::ResultRow& row : mpm::results())
     if (!row.error_column.empty())

@@ -155,7 +155,9 @@ struct CatalogWriter::Impl {
     any_lost = !lost.empty();
   }
 
-  /// A heartbeat or a farewell: if it cannot be written, the next real write says so.
+  /// A heartbeat, or the entry that this process has ended: if it cannot be written, the next write of a
+  /// result
+  /// reports the error.
   template <class Work>
   void try_alone(Work work) noexcept {
     try {
@@ -210,17 +212,17 @@ Registration CatalogWriter::register_study(const std::string& name, const std::s
       });
 }
 
-JobClaim CatalogWriter::claim(const std::string& key) {
+JobReservation CatalogWriter::reserve(const std::string& key) {
   impl_->forget_lost(key);
-  return impl_->ask([key](Store& s) { return s.claim(key); });
+  return impl_->ask([key](Store& s) { return s.reserve(key); });
 }
 
 std::int64_t CatalogWriter::crashed(const std::string& key) {
   return impl_->ask([key](Store& s) { return s.crashed(key); });
 }
 
-bool CatalogWriter::finish(FinishedJob job) {
-  return impl_->ask([job = std::move(job)](Store& s) { return s.finish(job); });
+bool CatalogWriter::complete(FinishedJob job) {
+  return impl_->ask([job = std::move(job)](Store& s) { return s.complete(job); });
 }
 
 bool CatalogWriter::lost(const std::string& key) const {

@@ -34,9 +34,9 @@ class CatalogWriter : public Ledger {
 
   Registration register_study(const std::string& name, const std::string& title, std::vector<Job>,
                               bool retry_failed, StudySource = {}, Selection = {});
-  JobClaim claim(const std::string& key) override;
+  JobReservation reserve(const std::string& key) override;
   std::int64_t crashed(const std::string& key) override;
-  bool finish(FinishedJob) override;
+  bool complete(FinishedJob) override;
   void release(const std::string& key, const std::string& reason) override;
   bool lost(const std::string& key) const override;
   bool holds(const std::string& key) override;

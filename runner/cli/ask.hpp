@@ -1,5 +1,5 @@
 #pragma once
-/// Before a run that takes more than this machine has, or longer than anyone expects, is started.
+/// Asks before a run that needs more than this machine has, or that takes very long.
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -37,7 +37,7 @@ void setup_bench(CLI::App& app) {
   kernel.add_flag("--kinematic", options->kernel.kinematic,
                   "Half of the hardening is kinematic: back stress");
   kernel.add_flag("--json", options->json, "One object a row");
-  kernel.callback([options] { finish(run_bench_kernel(*options)); });
+  kernel.callback([options] { end_with(run_bench_kernel(*options)); });
 }
 
 void print_whole_runs(const BenchOptions& options) {

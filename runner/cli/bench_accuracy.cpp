@@ -51,7 +51,7 @@ void print_line(const AccuracyRow& r) {
                r.scheme.is_default ? " default" : "");
 }
 
-/// One figure a problem: error against processor time, a curve a scheme, the front on top.
+/// One figure per problem: error against processor time, one curve per scheme, the front on top.
 void draw_figures(const std::vector<AccuracyRow>& rows, const std::filesystem::path& folder) {
   for (auto first = rows.begin(); first != rows.end();) {
     const auto last =
@@ -71,7 +71,7 @@ void draw_figures(const std::vector<AccuracyRow>& rows, const std::filesystem::p
       if (!r->scheme.is_default && std::none_of(first, last, [&](const AccuracyRow& other) {
             return other.on_front && other.scheme == r->scheme;
           }))
-        continue;  // best nowhere: in the table, not in the figure
+        continue;  // on no front: in the table, not in the figure
       const std::string label = r->scheme.label() + (r->scheme.is_default ? " (default)" : "");
       if (plot.series.empty() || plot.series.back().label != label)
         plot.series.push_back({label, {}, {}, {}});
@@ -105,7 +105,7 @@ void setup_bench_accuracy(CLI::App& bench) {
   CLI::Option* json = verb.add_flag("--json", options->json, "One object a row");
   verb.add_flag("--csv", options->csv, "A header and a line per row")->excludes(json);
   verb.add_option("--figures", options->figures, "Folder to draw the fronts into");
-  verb.callback([options] { finish(run_bench_accuracy(*options)); });
+  verb.callback([options] { end_with(run_bench_accuracy(*options)); });
 }
 
 int run_bench_accuracy(const BenchAccuracyOptions& options) {

@@ -114,7 +114,7 @@ void setup_bench_exact(CLI::App& bench) {
       ->capture_default_str();
   CLI::Option* json = verb.add_flag("--json", options->json, "One object a row");
   verb.add_flag("--csv", options->csv, "A header and a line per row")->excludes(json);
-  verb.callback([options] { finish(run_bench_exact(*options)); });
+  verb.callback([options] { end_with(run_bench_exact(*options)); });
 }
 
 int run_bench_exact(const BenchExactOptions& options) {

@@ -18,7 +18,7 @@ void setup_check(CLI::App& app) {
   CLI::App& verb = *app.add_subcommand("check", "Check study files, and say everything that is wrong");
   verb.add_option("FILE", options->files, "Study files")->required();
   add_study_options(verb, options->study);
-  verb.callback([options] { finish(run_check(*options)); });
+  verb.callback([options] { end_with(run_check(*options)); });
 }
 
 int run_check(const CheckOptions& options) {

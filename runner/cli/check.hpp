@@ -13,7 +13,7 @@ struct CheckOptions {
 };
 void setup_check(CLI::App&);
 
-/// Prints "ok: NAME, N jobs" per valid file, the problems of the others on stderr; exit_usage if there are
+/// Prints "ok: NAME, N jobs" per valid file, the mistakes of the others on stderr; exit_usage if there are
 /// any.
 int run_check(const CheckOptions&);
 

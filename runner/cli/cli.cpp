@@ -56,6 +56,6 @@ void add_results_option(CLI::App& verb, std::string& results) {
       ->check(CLI::Validator(named, ""));
 }
 
-void finish(int exit_code) { throw CLI::RuntimeError(exit_code); }
+void end_with(int exit_code) { throw CLI::RuntimeError(exit_code); }
 
 }  // namespace mpmstudy

@@ -34,7 +34,7 @@ Study read_study(const std::string& path, const StudyOptions&);
 /// --results DIR, by default "results".
 void add_results_option(CLI::App& verb, std::string& results);
 
-/// Ends a verb: call it last in the subcommand's callback, finish(run_check(*options)).
-[[noreturn]] void finish(int exit_code);
+/// Ends a verb: call it last in the subcommand's callback, end_with(run_check(*options)).
+[[noreturn]] void end_with(int exit_code);
 
 }  // namespace mpmstudy

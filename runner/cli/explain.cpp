@@ -109,7 +109,7 @@ std::optional<Wanted> find_job(Study study, const std::string& key) {
   return std::nullopt;
 }
 
-/// The job in the study files: those named, or those that the catalog remembers.
+/// The job in the study files: those named, or those that the catalog has recorded.
 std::optional<Wanted> find_in_files(const ExplainOptions& options, const std::string& key) {
   std::vector<std::pair<std::string, StudyOptions>> files;
   for (const auto& file : options.files)
@@ -122,7 +122,7 @@ std::optional<Wanted> find_in_files(const ExplainOptions& options, const std::st
     try {
       if (auto wanted = find_job(read_study(file, how), key)) return wanted;
     } catch (const StudyError&) {
-      if (!options.files.empty()) throw;  // a file that has become bad since says nothing about this job
+      if (!options.files.empty()) throw;  // a file that is no longer valid says nothing about this job
     }
   }
   return std::nullopt;
@@ -214,12 +214,12 @@ void setup_explain(CLI::App& app) {
   verb.add_option("STUDY", options->files, "Study files [those that were run]");
   add_study_options(verb, options->study);
   add_results_option(verb, options->results);
-  verb.callback([options] { finish(run_explain(*options)); });
+  verb.callback([options] { end_with(run_explain(*options)); });
 }
 
 int run_explain(const ExplainOptions& said) {
   ExplainOptions options = said;
-  // CSV ends its lines with carriage return and line feed, and shells leave the first to the key.
+  // CSV ends its lines with carriage return and line feed; in a shell the first becomes part of the key.
   while (!options.key.empty() && std::isspace(static_cast<unsigned char>(options.key.back())))
     options.key.pop_back();
   const bool catalog = has_catalog(options.results);

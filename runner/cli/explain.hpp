@@ -16,7 +16,7 @@ struct ExplainOptions {
 };
 
 void setup_explain(CLI::App&);
-/// Throws CatalogError for a key that nobody has, or that several jobs begin with.
+/// Throws CatalogError for a key that no job has, or that the keys of several jobs begin with.
 int run_explain(const ExplainOptions&);
 
 }  // namespace mpmstudy

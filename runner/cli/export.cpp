@@ -58,7 +58,7 @@ void setup_export(CLI::App& app) {
   verb.add_option("-o,--output", options->output, "File or folder [standard output; for all: RESULTS/export]")
       ->type_name("FILE|DIR");
   add_results_option(verb, options->results);
-  verb.callback([options] { finish(run_export(*options)); });
+  verb.callback([options] { end_with(run_export(*options)); });
 }
 
 int run_export(const ExportOptions& options) {

@@ -19,7 +19,7 @@ void setup_figures(CLI::App& app) {
   verb.add_option("STUDY", options->files, "Study files [every study of the catalog]");
   add_study_options(verb, options->study);
   add_results_option(verb, options->results);
-  verb.callback([options] { finish(run_figures(*options)); });
+  verb.callback([options] { end_with(run_figures(*options)); });
 }
 
 int run_figures(const FiguresOptions& options) {

@@ -30,7 +30,7 @@ void setup_merge(CLI::App& app) {
   CLI::App& verb = *app.add_subcommand("merge", "Take over the jobs of other results folders");
   verb.add_option("FOLDER", options->folders, "Results folders; they are left as they are")->required();
   add_results_option(verb, options->results);
-  verb.callback([options] { finish(run_merge(*options)); });
+  verb.callback([options] { end_with(run_merge(*options)); });
 }
 
 int run_merge(const MergeOptions& options) {

@@ -302,7 +302,7 @@ void setup_plan(CLI::App& app) {
   verb.add_option("-j,--jobs", options->workers, "Worker threads to predict for [processors]")
       ->check(CLI::Range(1, 4096));
   verb.add_flag("--json", options->json, "One JSON object, SI units, full precision");
-  verb.callback([options] { finish(run_plan(*options)); });
+  verb.callback([options] { end_with(run_plan(*options)); });
 }
 
 int run_plan(const PlanOptions& options) {

@@ -8,7 +8,7 @@ namespace mpmstudy {
 
 struct PlanOptions {
   std::string file;
-  std::string results;  ///< its catalog, if there is one, knows how fast this host is
+  std::string results;  ///< its catalog, if there is one, says how fast this host is
   StudyOptions study;
   int workers = 0;  ///< 0: as many as there are processors
   bool json = false;

@@ -215,7 +215,7 @@ std::string fits_text(const Study& study, const std::filesystem::path& results) 
                             analysis::fit_caption(fit, x, analysis::display_unit(x.unit, largest_of(c.x)), y,
                                                   analysis::display_unit(y.unit, largest_of(c.y))));
       else
-        text += fmt::format("  {}: no fit, {}\n", what, fit.problem);
+        text += fmt::format("  {}: no fit, {}\n", what, fit.failure);
     }
   }
   return text;

@@ -22,7 +22,7 @@ void setup_query(CLI::App& app) {
       ->capture_default_str();
   verb.add_option("--timeout", options->timeout, "A query that takes longer is ended")->type_name("\"10 s\"");
   add_results_option(verb, options->results);
-  verb.callback([options] { finish(run_query(*options)); });
+  verb.callback([options] { end_with(run_query(*options)); });
 }
 
 int run_query(const QueryOptions& options) {

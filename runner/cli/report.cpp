@@ -86,7 +86,7 @@ void setup_report(CLI::App& app, ReportSeams seams) {
                 seams.of.empty() ? "Print an empty list" : "Print " + seams.of + " as JSON");
   add_study_options(verb, options->study);
   add_results_option(verb, options->results);
-  verb.callback([options, seams = std::move(seams)] { finish(run_report(*options, seams.make_preface)); });
+  verb.callback([options, seams = std::move(seams)] { end_with(run_report(*options, seams.make_preface)); });
 }
 
 int run_report(const ReportOptions& options, const MakePreface& make_preface) {

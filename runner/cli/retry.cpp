@@ -24,7 +24,7 @@ void setup_retry(CLI::App& app) {
   verb.add_option("--kind", options->filter.kind, "Only those that failed so")
       ->check(CLI::IsMember({"breakdown", "timeout", "memory", "crash", "error"}));
   add_results_option(verb, options->results);
-  verb.callback([options] { finish(run_retry(*options)); });
+  verb.callback([options] { end_with(run_retry(*options)); });
 }
 
 int run_retry(const RetryOptions& options) {

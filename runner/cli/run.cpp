@@ -107,7 +107,8 @@ ExecutorOptions executor_options(const RunOptions& options) {
   return executor;
 }
 
-/// A runner that says nothing for twelve periods is taken for gone where nobody can look for its process.
+/// A runner without a sign of life for twelve periods is taken for gone where its process cannot be looked
+/// for.
 void set_heartbeat(const RunOptions& options, WriterOptions& writer) {
   const double period_s = read_duration("--heartbeat", options.heartbeat);
   if (!(period_s > 0)) throw StudyError("--heartbeat: " + options.heartbeat + ": not above 0 s");
@@ -183,7 +184,7 @@ void setup_run(CLI::App& app, RunSeams given) {
       ->capture_default_str();
   add_study_options(verb, options->study);
   add_results_option(verb, options->results);
-  verb.callback([options, seams] { finish(run_run(*options, *seams)); });
+  verb.callback([options, seams] { end_with(run_run(*options, *seams)); });
 }
 
 /// Options that would be of no effect. Throws StudyError.

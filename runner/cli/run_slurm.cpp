@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "sphere-20310506T070809.123": a folder a submission.
+/// "sphere-20310506T070809.123": one folder per submission.
 std::string submission_name(const std::string& study) {
   std::string time = utc_now();
   std::erase_if(time, [](char c) { return c == '-' || c == ':' || c == 'Z'; });

@@ -164,7 +164,7 @@ void setup_status(CLI::App& app) {
   verb.add_option("STUDY", options->studies, "Names of studies, or study files [all]");
   verb.add_flag("--json", options->json, "One JSON object");
   add_results_option(verb, options->results);
-  verb.callback([options] { finish(run_status(*options)); });
+  verb.callback([options] { end_with(run_status(*options)); });
 }
 
 std::vector<std::string> study_names(const std::vector<std::string>& names_or_files) {

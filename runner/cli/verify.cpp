@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A results folder that goes with its owner.
+/// A results folder that is removed when this object is destroyed.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const fs::path& results) : path_(unique_name(results / "verify")) {}
@@ -93,7 +93,7 @@ void setup_verify(CLI::App& app, RunSeams given) {
   verb.add_option("-j,--jobs", options->workers, "Jobs at a time [processors]")->check(CLI::Range(1, 4096));
   verb.add_flag("--files", options->files, "Compare every file of fields with its checksum, too");
   add_results_option(verb, options->results);
-  verb.callback([options, seams] { finish(run_verify(*options, *seams)); });
+  verb.callback([options, seams] { end_with(run_verify(*options, *seams)); });
 }
 
 int run_verify(const VerifyOptions& options, const RunSeams& seams) {

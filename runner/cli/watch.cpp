@@ -29,14 +29,14 @@ void setup_watch(CLI::App& app) {
       ->capture_default_str();
   verb.add_flag("--wait", options->wait, "Wait also while nobody runs what is planned");
   add_results_option(verb, options->status.results);
-  verb.callback([options] { finish(run_watch(*options)); });
+  verb.callback([options] { end_with(run_watch(*options)); });
 }
 
 int run_watch(const WatchOptions& options) {
   using Clock = std::chrono::steady_clock;
   const bool terminal = isatty(STDOUT_FILENO) != 0;
   const double patience = std::max(options.patience_s, 2 * options.every_s);
-  auto seen = Clock::now();  // when somebody was last there
+  auto seen = Clock::now();  // when a process last ran jobs
   while (true) {
     const auto report = read_report(options.status);
     if (terminal) fmt::print("\x1b[H\x1b[J");  // from the top of an empty screen

@@ -1,6 +1,6 @@
 #pragma once
 /// `mpmstudy watch [STUDY...]`: `status`, again and again, until nothing is running or planned, or until
-/// nobody is there to run what is. Reads only.
+/// no process is left that runs it. Reads only.
 #include "runner/cli/status.hpp"
 
 namespace mpmstudy {
@@ -8,8 +8,8 @@ namespace mpmstudy {
 struct WatchOptions {
   StatusOptions status;
   double every_s = 2;
-  bool wait = false;      ///< also for somebody who runs what is planned
-  double patience_s = 5;  ///< how long nobody has to be there
+  bool wait = false;      ///< also for a process that runs what is planned
+  double patience_s = 5;  ///< after so long without such a process it ends [s]
 };
 
 void setup_watch(CLI::App&);

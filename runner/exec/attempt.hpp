@@ -26,7 +26,7 @@ struct AttemptContext {
   std::filesystem::path results;
   Limits limits;
   std::function<bool()> stopping;                      ///< asked after every step
-  std::function<void(const mpm::Progress&)> progress;  ///< at most twenty times a second
+  std::function<void(const mpm::Progress&)> progress;  ///< at most twenty times per second
   std::function<int()> threads = [] { return 1; };  ///< that the next step may use; asked before every step
   double checkpoint_s = 0;                          ///< processor time between checkpoints [s]; 0: none
   /// Another process has taken the job up: its files are that one's now, so nothing of them is touched.

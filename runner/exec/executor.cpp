@@ -104,13 +104,14 @@ class Executor {
   }
 
   void ask_for(const Job& job) {
-    const JobClaim claim = ledger_.claim(job.key);
-    if (claim) return run_job(job, claim.crashes > 0 || options_.limits.memory > 0);
-    if (claim.status == JobStatus::running) return queue_.put_off(&job, milliseconds(options_.look_again_s));
+    const JobReservation reservation = ledger_.reserve(job.key);
+    if (reservation) return run_job(job, reservation.crashes > 0 || options_.limits.memory > 0);
+    if (reservation.status == JobStatus::running)
+      return queue_.put_off(&job, milliseconds(options_.look_again_s));
     std::lock_guard lock(mutex_);
-    ++(claim.status == JobStatus::done     ? report_.done_elsewhere
-       : claim.status == JobStatus::failed ? report_.failed_elsewhere
-                                           : report_.untouched);
+    ++(reservation.status == JobStatus::done     ? report_.done_elsewhere
+       : reservation.status == JobStatus::failed ? report_.failed_elsewhere
+                                                 : report_.untouched);
   }
 
   /// Threads without a job help those that are left. Under mutex_.
@@ -120,7 +121,7 @@ class Executor {
     share_ = all_taken && running > 0 ? std::max(1, static_cast<int>(threads_of(options_) / running)) : 1;
   }
 
-  /// Attempts until the job is decided or let go.
+  /// Attempts until the job is decided or released.
   void run_job(const Job& job, bool isolated) {
     {
       std::lock_guard lock(mutex_);
@@ -176,7 +177,7 @@ class Executor {
     end.status = JobStatus::planned;
     end.reason = why;
     status_.job_finished(job, end);
-    if (ledger_.claim(job.key)) {
+    if (ledger_.reserve(job.key)) {
       status_.job_started(job);
       return true;
     }
@@ -223,7 +224,7 @@ class Executor {
     const bool failed = finished.status == JobStatus::failed;
     JobEnd end{finished.status,       finished.reason, finished.result.particles,
                finished.result.steps, finished.wall_s, finished.cpu_s};
-    if (!ledger_.finish(std::move(finished))) return taken_over(job);
+    if (!ledger_.complete(std::move(finished))) return taken_over(job);
     status_.job_finished(job, end);
     std::lock_guard lock(mutex_);
     running_.erase(job.key);

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs jobs on worker threads: longest predicted job first, one simulation a thread; at the end, threads
+/// Runs jobs on worker threads: longest predicted job first, one simulation per thread; at the end, threads
 /// without a job help the simulations that still run. What it runs, where results go, who watches and when to
 /// stop are all given to it. The results do not depend on the workers.
 ///
@@ -36,23 +36,23 @@ struct ExecutorReport {
 
 struct ExecutorOptions {
   std::filesystem::path results = "results";
-  unsigned workers = 0;  ///< 0: one a hardware thread
+  unsigned workers = 0;  ///< 0: one per hardware thread
   Limits limits = {};
   std::int64_t retries = 0;       ///< how often a failed job is run again in this run
   std::int64_t most_crashes = 3;  ///< a job whose process has died that often is failed
   double checkpoint_s = 60;       ///< processor time between the checkpoints of a job [s]; 0: none
   double budget_s = 0;            ///< wall time after which no more jobs are started [s]; 0: none
-  double grace_s = 1.5;           ///< after a stop is asked for, workers have this long to let go [s]
-  double look_again_s = 0.5;      ///< jobs of other processes are asked for this often [s]
-  /// A worker did not let go in time: its job is planned again and this is called, to end the process. If it
-  /// returns, the worker is waited for.
+  double grace_s = 1.5;       ///< after a stop is asked for, workers have this long to release their jobs [s]
+  double look_again_s = 0.5;  ///< jobs of other processes are asked for this often [s]
+  /// A worker did not release its job in time: its job is planned again and this is called, to end the
+  /// process. If it returns, the worker is waited for.
   std::function<void(const ExecutorReport&)> abandon = {};
 };
 
 /// How many threads that many jobs get: at least one, no more than there are jobs.
 unsigned worker_count(const ExecutorOptions&, std::size_t jobs);
 
-/// Returns when every job is decided, or after a stop when every worker has let go of its job. A job that
+/// Returns when every job is decided, or after a stop when every worker has released its job. A job that
 /// throws is failed with its reason and the rest goes on. A job whose process has died before runs in a
 /// process of its own. Throws what the ledger throws, after all workers have ended. Forks (see
 /// isolation.hpp): the caller has no other threads that run jobs.

@@ -18,7 +18,7 @@
 #include "runner/exec/stopwatch.hpp"
 #include "runner/exec/wire.hpp"
 
-extern "C" {  // the header of glibc 2.36 forgets it
+extern "C" {  // not declared by the header of glibc 2.36
 #include <sys/pidfd.h>
 }
 
@@ -27,7 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long after its time is over a job may take to notice [s].
+/// How long a job may go on after its time is over [s].
 constexpr double patience = 2;
 
 enum class Kind : std::uint8_t { progress, attempt, ended, note };
@@ -215,7 +215,7 @@ namespace {
                         const std::filesystem::path& results) {
   // Ctrl-C goes to every process of the terminal; what a stop means for a job is decided by the runner.
   ignore_stop_signals();
-  signal(SIGCHLD, SIG_IGN);  // guards need no waiting for
+  signal(SIGCHLD, SIG_IGN);  // guards are not waited for
   std::string order;
   for (int socket = receive_request(server, order); socket >= 0; socket = receive_request(server, order)) {
     if (fork() == 0) {

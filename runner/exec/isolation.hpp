@@ -1,14 +1,15 @@
 #pragma once
-/// Jobs in processes of their own: one that crashes, or that has to be killed, takes nothing with it.
+/// Jobs in processes of their own: one that crashes, or that has to be killed, ends no other.
 ///
 /// A program that runs threads cannot safely fork. So a server process is forked before the threads start; it
-/// has one thread for ever, and forks for each job a guard, which forks the job and waits for it:
+/// never has more than one thread, and forks for each job a guard, which forks the job and waits for it:
 ///
 ///   runner (threads) -- socket --> server -- fork --> guard -- fork --> job
 ///        ^---------------- socket of this job, shared by guard and job ---'
 ///
-/// The job writes progress and its result to the socket, the guard how the job ended. Whoever loses the other
-/// end of a socket ends: when the runner is gone or gives a job up, the guard kills the job.
+/// The job writes progress and its result to the socket, the guard how the job ended. A process ends
+/// when the other end of its socket is closed: when the runner is gone or gives a job up, the guard kills the
+/// job.
 #include <filesystem>
 #include <memory>
 

@@ -22,7 +22,7 @@ std::string text_of(const std::vector<std::int64_t>& column) {
   return text;
 }
 
-/// This very program: the same bits follow only from the same code.
+/// Identifies this program: only the same code gives the same bits.
 std::string this_program() {
   std::error_code ignored;
   const fs::path path = fs::read_symlink("/proc/self/exe", ignored);

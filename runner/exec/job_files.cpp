@@ -72,7 +72,8 @@ std::string JobFiles::denied() const { return who_may_if_denied(results_ / folde
 std::vector<SnapshotFile> JobFiles::close() {
   std::error_code ignored;  // a checkpoint that stays is never looked at again
   fs::remove(results_ / folder_ / checkpoint_name, ignored);
-  for (const auto& entry : fs::directory_iterator(results_ / folder_, ignored))  // halves that a kill left
+  for (const auto& entry :
+       fs::directory_iterator(results_ / folder_, ignored))  // unfinished files of a killed process
     if (entry.path().extension() == ".tmp") fs::remove(entry.path(), ignored);
   if (files_.empty()) {
     fs::remove(results_ / folder_, ignored);

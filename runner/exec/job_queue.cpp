@@ -10,7 +10,7 @@ std::vector<Job> longest_first(std::vector<Job> jobs) {
   return jobs;
 }
 
-/// A signal handler can wake nobody: who waits looks up this often.
+/// A signal handler cannot wake a thread that waits: it checks this often.
 constexpr std::chrono::milliseconds look_up{100};
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the executor asks for leave to run a job and hands over what it left. The catalog is one; tests
+/// Where the executor reserves jobs and hands over their results. The catalog is one; tests
 /// have a simpler one. Any thread may call it.
 #include <string>
 
@@ -10,14 +10,14 @@ namespace mpmstudy {
 class Ledger {
  public:
   virtual ~Ledger() = default;
-  /// Asks to run a job; on record before this returns. A job whose process is gone is taken up.
-  virtual JobClaim claim(const std::string& key) = 0;
+  /// Reserves a job for this process; on record before this returns. A job whose process is gone is taken up.
+  virtual JobReservation reserve(const std::string& key) = 0;
   /// The job's own process, which this one had started, died; the job stays this one's. Gives back how often
   /// that has happened to it.
   virtual std::int64_t crashed(const std::string& key) = 0;
   /// The job is decided. Its files must be on disk. On record before this returns true. False, and nothing is
   /// on record, if another process has taken the job up meanwhile: then that one's result counts.
-  virtual bool finish(FinishedJob) = 0;
+  virtual bool complete(FinishedJob) = 0;
   /// The job is stopped and planned again.
   virtual void release(const std::string& key, const std::string& reason) = 0;
   /// Is it known that another process has taken up a job of this one? Asked after every step.

@@ -26,7 +26,7 @@ constexpr std::array stopping = {SIGINT,  SIGTERM, SIGHUP,  SIGQUIT,   SIGUSR1, 
 constexpr std::array others = {SIGPIPE, SIGXFSZ, SIGCONT};
 std::array<struct sigaction, stopping.size() + others.size()> old_actions;
 
-constexpr std::int64_t one_wish = 500'000'000;  // [ns]
+constexpr std::int64_t one_request = 500'000'000;  // [ns]
 
 std::int64_t now() {
   timespec time{};
@@ -40,7 +40,7 @@ extern "C" void on_stop(int number) {
     flag.ask(number);
     return;
   }
-  if (number == SIGXCPU || now() - asked_at.load() < one_wish) return;
+  if (number == SIGXCPU || now() - asked_at.load() < one_request) return;
   _exit(128 + number);
 }
 

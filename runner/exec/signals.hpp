@@ -1,5 +1,5 @@
 #pragma once
-/// The wish to stop, and the other signals that a run has to outlive. One flag per process, because a signal
+/// The request to stop, and the other signals that must not end a run. One flag per process, because a signal
 /// handler can reach nothing else; everything that reads it is given a StopFlag.
 #include <atomic>
 #include <string>
@@ -26,8 +26,8 @@ StopFlag& signal_flag();
 ///
 /// - INT, TERM, HUP, QUIT, USR1, USR2, XCPU, PWR: the first one raises signal_flag(). Another one ends the
 ///   process at once with 128 + its number; jobs then still named running are taken up by the next start. No
-///   other wish: what comes within half a second (`timeout`, batch systems and init send one wish to process
-///   and group, or two signals in a row), and XCPU, which the kernel repeats every second.
+///   second request: what comes within half a second (`timeout`, batch systems and init send one request to
+///   process and group, or two signals in a row), and XCPU, which the kernel repeats every second.
 /// - HUP and QUIT stay ignored where they were (nohup; background of a shell).
 /// - PIPE: standard output or error whose reader has gone is replaced by /dev/null; see output_closed().
 /// - XFSZ is ignored: the write then fails with "File too large", as on a disk that is full.
@@ -51,7 +51,7 @@ int resumptions();
 /// "SIGHUP"
 std::string signal_name(int number);
 
-/// For a process that has to outlive what ends its parent: ignores the signals that ask for an end.
+/// For a process that must not end when its parent is told to: ignores the signals that ask for an end.
 void ignore_stop_signals();
 
 }  // namespace mpmstudy

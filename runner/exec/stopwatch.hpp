@@ -7,8 +7,8 @@
 namespace mpmstudy {
 
 /// Time of a job, without the time for which the whole process was stopped (SIGSTOP, Ctrl-Z, a scheduler that
-/// suspends it): that is not the job's. Asked often, since what lies between two questions is left out where
-/// a resumption lies between them. One thread.
+/// suspends it). Read it often: the time between two readings is left out if the process was resumed between
+/// them. One thread.
 class Stopwatch {
  public:
   double seconds() {

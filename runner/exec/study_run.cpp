@@ -25,7 +25,7 @@ std::vector<Job> jobs_to_register(const PlannedStudy& study) {
 
 std::unique_ptr<Planner> planner_of(const PlannedStudy& study) {
   if (study.search) return std::make_unique<SearchPlanner>(*study.search, study.plan.cost);
-  if (study.plan.ladder.accuracy && !study.selection.keys)  // who chooses jobs knows what they are for
+  if (study.plan.ladder.accuracy && !study.selection.keys)  // jobs that are chosen run without a reason
     return std::make_unique<LadderPlanner>(study.plan);
   return std::make_unique<Sweep>(jobs_to_register(study));
 }

@@ -19,7 +19,7 @@ namespace mpmstudy {
 /// A result of one job, and a parameter of its scene.
 struct ResultAt {
   double parameter = 0;  ///< 0 where none was asked for
-  Measured result;
+  ValueWithError result;
   std::string flags;  ///< why the final area of the job has no meaning; "": it has one
 };
 

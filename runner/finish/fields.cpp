@@ -17,12 +17,12 @@ double edge_of(const mpm::Snapshot& s, std::size_t p) {
 }  // namespace
 
 /// Of three axes the particles that are nearest to z = 0: less than their own edge away.
-analysis::Particles particles_of(const mpm::Snapshot& s, const std::string& field) {
+analysis::ParticleSquares particles_of(const mpm::Snapshot& s, const std::string& field) {
   const mpm::Field* row = mpm::find_field(field);
   if (!row) throw std::runtime_error("a snapshot has no field " + field);
   const std::vector<double>& values = s.*row->values;
   if (values.size() != s.x.size()) throw std::runtime_error("a snapshot of two axes has no field " + field);
-  analysis::Particles particles;
+  analysis::ParticleSquares particles;
   for (std::size_t p = 0; p < s.x.size(); ++p) {
     const double edge = edge_of(s, p);
     if (s.has_depth() && !(std::abs(s.z[p]) < edge)) continue;

@@ -69,7 +69,7 @@ void add_extrapolated(const Study& study, const StudyResults& results, const Fig
 }
 
 /// "Critical yield stress": of either name of a search's result.
-analysis::Quantity critical_label(const mpm::Quantity& searched) {
+analysis::QuantityLabel critical_label(const mpm::Quantity& searched) {
   auto label = label_of(searched.name, searched.unit);
   if (!label.name.empty() && label.name[0] >= 'A' && label.name[0] <= 'Z')
     label.name[0] = static_cast<char>(label.name[0] - 'A' + 'a');
@@ -118,7 +118,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   return true;
 }
 
-/// One panel a snapshot; times have digits until they differ.
+/// One panel per snapshot; times have digits until they differ.
 std::vector<analysis::FieldPanel> panels_of(const std::vector<fs::path>& files, const std::string& field) {
   std::vector<analysis::FieldPanel> panels;
   std::vector<double> times;
@@ -132,7 +132,7 @@ std::vector<analysis::FieldPanel> panels_of(const std::vector<fs::path>& files, 
   return panels;
 }
 
-/// One figure a job: NAME, or NAME-1, NAME-2, ... in the order of the sweep.
+/// One figure per job: NAME, or NAME-1, NAME-2, ... in the order of the sweep.
 std::vector<fs::path> draw_fields(const Study& study, const StudyResults& results,
                                   const FigureRequest& request, const fs::path& stem) {
   std::vector<fs::path> stems;

@@ -17,7 +17,7 @@ constexpr std::size_t most_named = 5;
 
 namespace {
 
-/// An accuracy that was missed is no success: throws what the run then says last.
+/// Throws if an accuracy was missed; the message is the last one of the run.
 void check_accuracy(const Study& study, const std::filesystem::path& folder) {
   const auto jobs = accuracies(folder, study.name, study.ladder.quantity);
   std::string missed;
@@ -40,8 +40,8 @@ void finish_study(const Study& study, const std::filesystem::path& folder, Catal
   writer.replace_intervals(study.name, intervals_of(study, folder));
   const StudyResults results = read_results(study, folder);
   Fits fits = fit_study(study, results);
-  for (const std::string& problem : fits.problems)
-    fmt::print(stderr, "{}: no fit, {}\n", study.name, problem);
+  for (const std::string& failure : fits.not_made)
+    fmt::print(stderr, "{}: no fit, {}\n", study.name, failure);
   for (const std::string& note : fits.notes) fmt::print(stderr, "{}: {}\n", study.name, note);
   for (const std::string& note : figure_notes(study, results))
     fmt::print(stderr, "{}: {}\n", study.name, note);
@@ -51,7 +51,7 @@ void finish_study(const Study& study, const std::filesystem::path& folder, Catal
   const auto empty = not_drawn(study, drawn, folder);
   for (const std::string& line : empty) fmt::print(stderr, "{}: {}\n", study.name, line);
   if (study.ladder.accuracy) check_accuracy(study, folder);
-  if (const std::size_t missed = fits.problems.size() + empty.size(); missed > 0)
+  if (const std::size_t missed = fits.not_made.size() + empty.size(); missed > 0)
     throw std::runtime_error(fmt::format("{} could not be made, for the reasons above",
                                          missed == 1 ? "a fit or a figure" : "fits or figures"));
 }

@@ -62,8 +62,8 @@ Fits fit_study(const Study& study, const StudyResults& results) {
       const analysis::Fit fit = fit_column(request, c);
       const std::string model = group.label.empty() ? request.model : request.model + ", " + group.label;
       if (!fit.ok()) {
-        fits.problems.push_back(
-            fmt::format("{} of {} against {}: {}", model, request.y, request.x, fit.problem));
+        fits.not_made.push_back(
+            fmt::format("{} of {} against {}: {}", model, request.y, request.x, fit.failure));
         continue;
       }
       for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {

@@ -24,12 +24,12 @@ bool stands_elsewhere(const Group&, const std::string& y);
 analysis::Fit fit_column(const FitRequest&, const Column&);
 
 /// Every [[fit]] of the study. Rows go coefficient by coefficient, in SI. Where the study sweeps more than
-/// the fit's x, one fit a group, and `model` carries the group: "quadratic, h = 0.1 um". A fit that cannot be
-/// made is in `problems`, a line each; what is to be said of one that is made (its points are off the curve
+/// the fit's x, one fit per group, and `model` names the group: "quadratic, h = 0.1 um". A fit that cannot be
+/// made is in `not_made`, a line each; what is to be said of one that is made (its points are off the curve
 /// by more than their intervals) is in `notes`.
 struct Fits {
   std::vector<FitRow> rows;
-  std::vector<std::string> problems, notes;
+  std::vector<std::string> not_made, notes;
 };
 Fits fit_study(const Study&, const StudyResults&);
 

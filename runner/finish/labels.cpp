@@ -6,16 +6,16 @@
 
 namespace mpmstudy {
 
-analysis::Quantity label_of(std::string_view name, std::string_view unit_if_unknown) {
+analysis::QuantityLabel label_of(std::string_view name, std::string_view unit_if_unknown) {
   const auto of_row = [](const auto& row) {
-    return analysis::quantity_of(row.name, row.unit, row.symbol, row.title);
+    return analysis::quantity_label(row.name, row.unit, row.symbol, row.title);
   };
   if (const mpm::Quantity* row = mpm::find_quantity(name)) return of_row(*row);
   if (const mpm::ResultRow* row = mpm::find_result(name)) return of_row(*row);
   if (const mpm::Field* row = mpm::find_field(name)) return of_row(*row);
   if (name == "time") return {"Time", "t", "s"};
   if (name == "area") return {"Cavity area", "A", "m^2"};
-  return analysis::quantity_of(name, unit_if_unknown);
+  return analysis::quantity_label(name, unit_if_unknown);
 }
 
 }  // namespace mpmstudy

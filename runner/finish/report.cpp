@@ -64,7 +64,7 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
                                      const std::string& field, const std::string& title) {
   constexpr int width = 180;
   analysis::PageAnimation animation;
-  std::vector<analysis::Particles> frames;
+  std::vector<analysis::ParticleSquares> frames;
   std::vector<double> values, times;
   for (const fs::path& file : snapshots_of(results, job)) {
     const mpm::Snapshot s = mpm::read_vtkhdf(file);
@@ -75,7 +75,7 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
   if (frames.size() < 3) return {};
   animation.captions = analysis::value_labels(label_of("time"), times);
   const bool mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
-  std::vector<const analysis::Particles*> all;
+  std::vector<const analysis::ParticleSquares*> all;
   for (const auto& frame : frames) all.push_back(&frame);
   const analysis::Window window = analysis::window_of(all, mirrored);
   std::ranges::sort(values);
@@ -98,7 +98,7 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
       }
     animation.frames.push_back(std::move(pixels));
   }
-  const analysis::Quantity quantity = label_of(field);
+  const analysis::QuantityLabel quantity = label_of(field);
   const analysis::DisplayUnit unit =
       analysis::display_unit(quantity.unit, std::max(std::abs(low), std::abs(high)));
   animation.low = fmt::format("{:.3g}", low * unit.factor);

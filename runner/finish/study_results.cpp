@@ -91,9 +91,12 @@ StudyResults read_brackets(const Study& study, const std::filesystem::path& fold
     --results.missing;
     drawn += fmt::format("{} {} {:a} {:a} ", row.upper_key, row.flags, lower.value_or(0), upper.value_or(0));
     if (!lower || !upper) continue;  // looked for and not found
-    JobResults job{
-        row.upper_key, scene, Measured{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)}, {}, row.flags};
-    if (row.extrapolated) job.extrapolated = Measured{*row.extrapolated, row.interval};
+    JobResults job{row.upper_key,
+                   scene,
+                   ValueWithError{0.5 * (*lower + *upper), 0.5 * (*upper - *lower)},
+                   {},
+                   row.flags};
+    if (row.extrapolated) job.extrapolated = ValueWithError{*row.extrapolated, row.interval};
     results.done.push_back(std::move(job));
   }
   results.fingerprint = fmt::format("{:016x}", XXH3_64bits(drawn.data(), drawn.size()));
@@ -174,8 +177,8 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
   return results;
 }
 
-std::optional<Measured> result_of(const StudyResults& results, const JobResults& job,
-                                  const std::string& name) {
+std::optional<ValueWithError> result_of(const StudyResults& results, const JobResults& job,
+                                        const std::string& name) {
   if (const auto critical = critical_result(name)) {
     if (is_doubtful(job.flags)) return std::nullopt;
     return critical == CriticalResult::bracket ? job.critical : job.extrapolated;
@@ -183,7 +186,7 @@ std::optional<Measured> result_of(const StudyResults& results, const JobResults&
   if (is_of_the_final_area(name) && !flags_of(results, job).empty()) return std::nullopt;
   const JobResult result = result_of_job(results.folder, results.study, job.key, name);
   if (!result.value) return std::nullopt;
-  return Measured{*result.value, result.error};
+  return ValueWithError{*result.value, result.error};
 }
 
 std::string unit_of(const StudyResults& results, const std::string& name) {

@@ -12,7 +12,7 @@
 namespace mpmstudy {
 
 /// A number with the half width of its interval, in the unit of its column.
-struct Measured {
+struct ValueWithError {
   double value = 0;
   std::optional<double> error;
 };
@@ -21,10 +21,10 @@ struct Measured {
 struct JobResults {
   std::string key;
   mpm::Scene scene;
-  std::optional<Measured>
+  std::optional<ValueWithError>
       critical;  ///< of a search: middle and half width of the bracket; key: its upper end
-  std::optional<Measured> extrapolated;  ///< ... for cells of size 0
-  std::string flags;                     ///< ... of the bracket (view `brackets`)
+  std::optional<ValueWithError> extrapolated;  ///< ... for cells of size 0
+  std::string flags;                           ///< ... of the bracket (view `brackets`)
 };
 
 /// The done jobs of a study, in the order of its sweep, each once, and how many are not done; of a study with
@@ -60,7 +60,7 @@ std::vector<std::string> flagged_brackets(const Study&, const StudyResults&);
 
 /// A result column of the view `jobs`, a name of the view `metrics`, or one of a search
 /// (runner/study/critical_names.hpp); empty where the job has none, or one without a meaning.
-std::optional<Measured> result_of(const StudyResults&, const JobResults&, const std::string& name);
+std::optional<ValueWithError> result_of(const StudyResults&, const JobResults&, const std::string& name);
 /// SI unit of such a name: that of the searched quantity, that of the metric, or what the column's name ends
 /// in.
 std::string unit_of(const StudyResults&, const std::string& name);

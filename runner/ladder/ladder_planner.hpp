@@ -8,7 +8,7 @@
 namespace mpmstudy {
 
 /// First the jobs of the plan. Then one finer cell at a time under each job whose interval is not inside the
-/// accuracy; a ladder that waits for a rung does not keep the others waiting.
+/// accuracy; no ladder waits for the rungs of another one.
 class LadderPlanner : public Planner {
  public:
   explicit LadderPlanner(const Plan&);

@@ -21,9 +21,9 @@ std::string largest_interval(const Evidence& e, const std::string& study) {
 
 }  // namespace
 
-std::vector<Measured> collapsibilities(const Evidence& e, const std::string& study,
-                                       const std::string& parameter) {
-  std::vector<Measured> all;
+std::vector<ValueWithError> collapsibilities(const Evidence& e, const std::string& study,
+                                             const std::string& parameter) {
+  std::vector<ValueWithError> all;
   for (const ResultAt& one : e.results(study, "collapsibility", parameter))
     if (one.flags.empty()) all.push_back(one.result);
   return all;
@@ -67,7 +67,7 @@ Claim scale_invariance(const Evidence& e) {
                   "scale-invariance");
   const auto phi = collapsibilities(e, c.study, "");
   if (phi.size() > 1)
-    judge(c, std::ranges::all_of(phi, [&](const Measured& p) { return p.value == phi[0].value; }),
+    judge(c, std::ranges::all_of(phi, [&](const ValueWithError& p) { return p.value == phi[0].value; }),
           fmt::format("{:.17g} at {} scales", phi[0].value, phi.size()), "to the last bit");
   return c;
 }

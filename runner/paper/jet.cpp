@@ -16,7 +16,7 @@ namespace mpmstudy {
 namespace {
 
 /// A result of the planar impact at the speed of the two bodies.
-std::optional<Measured> at_1500(const Evidence& e, const std::string& result) {
+std::optional<ValueWithError> at_1500(const Evidence& e, const std::string& result) {
   for (const ResultAt& one : e.results("planar-impact", result, "impact_speed"))
     if (one.parameter == 1500) return one.result;
   return std::nullopt;

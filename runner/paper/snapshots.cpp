@@ -56,7 +56,7 @@ HotSpot hot_spot_of(const mpm::Snapshot& s) {
 
 Cavities cavities_of(const mpm::Snapshot& s, double cell) {
   constexpr int pixels_per_cell = 2;
-  const analysis::Particles particles = particles_of(s, "density");
+  const analysis::ParticleSquares particles = particles_of(s, "density");
   const bool mirrored = std::ranges::min(s.x) >= 0;
   const analysis::Window window = analysis::window_of({&particles}, mirrored);
   const auto pixels = [&](double length) {

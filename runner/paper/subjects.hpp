@@ -43,7 +43,7 @@ Claim falls_with_yield(const Evidence&);
 Claim scale_invariance(const Evidence&);
 /// Collapsibilities of done jobs whose final area has a meaning, in the order of a parameter; "": of the
 /// sweep.
-std::vector<Measured> collapsibilities(const Evidence&, const std::string& study,
-                                       const std::string& parameter);
+std::vector<ValueWithError> collapsibilities(const Evidence&, const std::string& study,
+                                             const std::string& parameter);
 
 }  // namespace mpmstudy

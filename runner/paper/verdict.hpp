@@ -30,37 +30,37 @@ inline Claim claim(std::string name, std::string sentence, std::string study) {
 }
 
 /// "0.965 ± 0.012"; the value alone where no interval is known.
-inline std::string with_interval(const Measured& number, int decimals) {
+inline std::string with_interval(const ValueWithError& number, int decimals) {
   if (!number.error) return fmt::format("{:.{}f}", number.value, decimals);
   return fmt::format("{:.{}f} ± {:.{}f}", number.value, decimals, *number.error, decimals);
 }
 
 /// A number without a known interval is taken as it is.
-inline Truth is_below(const Measured& number, double limit) {
+inline Truth is_below(const ValueWithError& number, double limit) {
   const double half = number.error.value_or(0);
   if (number.value + half < limit) return Truth::yes;
   return number.value - half >= limit ? Truth::no : Truth::open;
 }
 
 /// Whether a number is within `share` of a reference.
-inline Truth is_within(const Measured& number, double reference, double share) {
+inline Truth is_within(const ValueWithError& number, double reference, double share) {
   return is_below({std::abs(number.value / reference - 1),
                    number.error ? std::optional(*number.error / reference) : std::nullopt},
                   share);
 }
 
-/// open where it hangs on one that is open.
+/// open where it depends on one that is open.
 inline Truth both(Truth a, Truth b) {
   if (a == Truth::no || b == Truth::no) return Truth::no;
   return a == Truth::yes && b == Truth::yes ? Truth::yes : Truth::open;
 }
 
 /// Every number is below the one before it. Intervals of two numbers are taken as independent.
-inline Truth falls(std::span<const Measured> numbers) {
+inline Truth falls(std::span<const ValueWithError> numbers) {
   Truth truth = Truth::yes;
   for (std::size_t i = 1; i < numbers.size(); ++i) {
-    const Measured step{numbers[i].value - numbers[i - 1].value,
-                        std::hypot(numbers[i].error.value_or(0), numbers[i - 1].error.value_or(0))};
+    const ValueWithError step{numbers[i].value - numbers[i - 1].value,
+                              std::hypot(numbers[i].error.value_or(0), numbers[i - 1].error.value_or(0))};
     truth = both(truth, is_below(step, 0));
   }
   return truth;

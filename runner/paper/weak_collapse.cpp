@@ -51,7 +51,7 @@ Claim lower_part(const Evidence& e) {
       claim("lower-part-collapses-more",
             "The lower part of the cavity collapses more, the more so nearer the impact face than in Fig. 5",
             "symmetry");
-  std::vector<Measured> ratios;
+  std::vector<ValueWithError> ratios;
   for (const ResultAt& one : e.results(c.study, "lower_upper_area_ratio", "cavity_center_height"))
     if (one.parameter < height_beyond_fig_5) ratios.push_back(one.result);
   if (ratios.size() != 2) return c;
@@ -66,12 +66,12 @@ Claim lower_part(const Evidence& e) {
 Claim isotropic(const Evidence& e) {
   Claim c = claim("isotropic-far-away", "Farther from the impact face the collapse is nearly isotropic",
                   "symmetry");
-  std::vector<Measured> ratios;
+  std::vector<ValueWithError> ratios;
   for (const ResultAt& one : e.results(c.study, "aspect_ratio", "cavity_center_height"))
     if (one.parameter > height_beyond_fig_5) ratios.push_back(one.result);
   if (ratios.empty()) return c;
-  const auto distance = [](const Measured& r) { return std::abs(std::log(r.value)); };
-  const Measured roundest = *std::ranges::min_element(ratios, {}, distance);
+  const auto distance = [](const ValueWithError& r) { return std::abs(std::log(r.value)); };
+  const ValueWithError roundest = *std::ranges::min_element(ratios, {}, distance);
   const std::optional<double> relative =
       roundest.error ? std::optional(*roundest.error / roundest.value) : std::nullopt;
   judge(c, is_below({distance(roundest), relative}, std::log(1.25)),

@@ -1,5 +1,5 @@
 #pragma once
-/// What runs will take of a machine: memory, and hours. Pure.
+/// What runs will need: memory and time. Pure.
 #include <vector>
 
 #include "runner/plan/plan.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// What a valid study should be told before it runs: values that do nothing, parts that the grid does not
+/// Warnings about a valid study before it runs: values that do nothing, parts that the grid does not
 /// show, states that the model does not hold for. Pure.
 #include <string>
 #include <vector>

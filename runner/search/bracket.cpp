@@ -13,14 +13,14 @@ namespace mpmstudy {
 
 namespace {
 
-/// So many runs without any verdict: the others will hardly have one.
+/// After so many runs without any verdict the search ends: the others will hardly have one.
 constexpr std::size_t most_blind = 9;
 /// So many failed runs between the ends of a bracket leave it as wide as it is.
 constexpr int most_broken = 12;
 
 }  // namespace
 
-Lattice::Lattice(double low, double high, double tolerance) : lower(low), upper(high) {
+SearchValues::SearchValues(double low, double high, double tolerance) : lower(low), upper(high) {
   const double steps = search_steps(low, high, tolerance);
   if (!(steps <= most_search_steps))
     throw std::invalid_argument(
@@ -28,7 +28,7 @@ Lattice::Lattice(double low, double high, double tolerance) : lower(low), upper(
   intervals = static_cast<int>(steps);
 }
 
-int Lattice::index(double v) const {
+int SearchValues::index(double v) const {
   const double i = std::round((v - lower) / (upper - lower) * intervals);
   return static_cast<int>(std::clamp(i, 0.0, static_cast<double>(intervals)));
 }
@@ -65,7 +65,7 @@ std::vector<int> BracketSearch::outwards() const {
   return without_verdict();
 }
 
-/// No lower end yet. Where the runs down to the lattice's end have failed, between them and the value above.
+/// No lower end yet. Where the runs down to the lowest value have failed, between them and the value above.
 std::vector<int> BracketSearch::downwards(int above) const {
   const int low = told_.begin()->first, high = told_.rbegin()->first;
   const int next = std::max(0, low - std::max(guess_ ? guess_->step : 2, high - low));
@@ -136,7 +136,7 @@ std::vector<int> BracketSearch::next(int most) const {
   return {std::max(0, at - (guess_->step + 1) / 2), std::min(intervals_, at + (guess_->step + 1) / 2)};
 }
 
-std::string BracketSearch::flags(const Lattice& lattice, std::string_view unit) const {
+std::string BracketSearch::flags(const SearchValues& values, std::string_view unit) const {
   const auto found = bracket();
   std::string text;
   const auto add = [&text](const std::string& flag) { text += (text.empty() ? "" : "; ") + flag; };
@@ -151,7 +151,7 @@ std::string BracketSearch::flags(const Lattice& lattice, std::string_view unit) 
   for (const auto& [index, told] : told_) {
     const Verdict verdict = told.verdict;
     const auto value =
-        fmt::format("{:.6g}{}{}", lattice.value(index), unit == "1" ? "" : " ", unit == "1" ? "" : unit);
+        fmt::format("{:.6g}{}{}", values.value(index), unit == "1" ? "" : " ", unit == "1" ? "" : unit);
     if (verdict == Verdict::broken) add("failed at " + value);
     if (found && index > found->upper && verdict != Verdict::above && verdict != Verdict::broken)
       add("flips back at " + value);

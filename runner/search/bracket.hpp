@@ -1,5 +1,6 @@
 #pragma once
-/// The search for one critical value on a lattice. Pure: it is told verdicts and says what to try next.
+/// The search for one critical value among equally spaced ones. Pure: it is told verdicts and says what to
+/// try next.
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,15 +12,15 @@ namespace mpmstudy {
 
 /// Equally spaced values from lower to upper, no farther apart than the tolerance. Every search of a study
 /// tries these values only: searches that come together ask for the same jobs.
-struct Lattice {
+struct SearchValues {
   double lower = 0, upper = 0;
   int intervals = 1;
 
-  Lattice() = default;
+  SearchValues() = default;
   /// Throws std::invalid_argument for more than most_search_steps.
-  Lattice(double lower, double upper, double tolerance);
+  SearchValues(double lower, double upper, double tolerance);
   double value(int i) const { return lower + (upper - lower) * i / intervals; }
-  /// The nearest index, inside the lattice.
+  /// The index of the nearest one.
   int index(double value) const;
 };
 
@@ -33,17 +34,17 @@ enum class Verdict {
 
 /// Two neighbouring values of which the lower does not have the outcome and the upper has it.
 struct Bracket {
-  int lower = 0, upper = 0;  ///< indices of the lattice
+  int lower = 0, upper = 0;  ///< indices of SearchValues
 };
 
-/// Where a value is thought to be, and how far from it to step if it is not there; indices of the lattice.
+/// Where a value is thought to be, and how far from it to step if it is not there; indices of SearchValues.
 struct Guess {
   int at = 0, step = 2;
 };
 
 class BracketSearch {
  public:
-  /// Without a guess the whole lattice is searched.
+  /// Without a guess all values are searched.
   explicit BracketSearch(int intervals, std::optional<Guess> guess = {});
 
   /// `distance`: how far the run was from the other verdict, in any one measure, 0 if it is not known.
@@ -58,8 +59,8 @@ class BracketSearch {
   std::optional<Bracket> bracket() const;
   bool finished() const { return next(1).empty(); }
   /// What a reader of the bracket has to know: "flips back at 410 m/s", "lower end undecided", "no
-  /// upper end"; "" if nothing. Values are those of the lattice, in its unit.
-  std::string flags(const Lattice&, std::string_view unit) const;
+  /// upper end"; "" if nothing. In the unit of the values.
+  std::string flags(const SearchValues&, std::string_view unit) const;
 
   struct Told {
     Verdict verdict = Verdict::broken;

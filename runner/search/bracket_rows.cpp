@@ -3,7 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "runner/search/extrapolate.hpp"
+#include "runner/search/critical_value.hpp"
 #include "runner/study/decimal.hpp"
 
 namespace mpmstudy {
@@ -47,7 +47,7 @@ std::vector<BracketRow> bracket_rows(const Study& study, const std::vector<Found
     if (wall != critical && wall->belongs_to(study.kind)) row.wall_thickness = wall->get(b.point.scene);
     const auto& ladder = ladders[{b.point.family, b.point.along}];
     if (b.lower && ladder.back().cell == b.point.cell)
-      if (const auto extrapolated = extrapolate(ladder)) {
+      if (const auto extrapolated = critical_value_at_cell_0(ladder)) {
         row.extrapolated = extrapolated->value;
         row.interval = extrapolated->interval;
       }

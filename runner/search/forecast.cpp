@@ -18,8 +18,8 @@ namespace {
 using Rounds = std::vector<std::vector<mpm::Scene>>;
 
 /// Made-up critical values: those that other cells of the point are known to have, else about the mean of
-/// what is known of other points, else about one place of the lattice. Each is a little off that, and never
-/// against what is known of the point itself.
+/// what is known of other points, else about one value. Each differs a little from that, and
+/// never contradicts what is known of the point itself.
 class MadeUpValues {
  public:
   MadeUpValues(const Study& study, double place) : critical_(study), lower_(study.search->lower) {

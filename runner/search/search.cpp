@@ -44,8 +44,8 @@ std::vector<double> family_of(const Study& study, const mpm::Scene& scene, const
 
 Search::Search(const Study& study)
     : critical_(study),
-      lattice_(study.search->lower, study.search->upper, study.search->tolerance),
-      half_(lattice_) {
+      values_(study.search->lower, study.search->upper, study.search->tolerance),
+      half_(values_) {
   half_.intervals *= 2;
   const mpm::Quantity* axis = axis_of(study);
   std::map<std::vector<double>, std::size_t> families;
@@ -93,7 +93,7 @@ void Search::start_between(Entry& entry) const {
     entry.between->tell(2 * index, told.verdict, told.distance);
 }
 
-/// Middle of a bracket that has been found [index of the lattice].
+/// Middle of a bracket that has been found [index of SearchValues].
 std::optional<double> Search::found_at(std::size_t family, double along, double cell) const {
   for (const Entry& e : entries_)
     if (e.point.family == family && e.point.along == along && e.point.cell == cell && e.finished())
@@ -108,8 +108,8 @@ std::optional<double> Search::found_at(std::size_t family, double along, double 
 std::optional<Guess> Search::guess(const Entry& entry) const {
   const SearchPoint& p = entry.point;
   const auto begin = [this](double at, double last_change) {
-    const double value = lattice_.lower + (lattice_.upper - lattice_.lower) * at / lattice_.intervals;
-    const double share = value / 30 / (lattice_.upper - lattice_.lower) * lattice_.intervals;
+    const double value = values_.lower + (values_.upper - values_.lower) * at / values_.intervals;
+    const double share = value / 30 / (values_.upper - values_.lower) * values_.intervals;
     return Guess{static_cast<int>(std::lround(at)),
                  static_cast<int>(std::lround(std::max({2.0, share, 0.5 * std::abs(last_change)})))};
   };
@@ -162,7 +162,7 @@ void Search::start_ready() {
         }
         if (end_left || end_right) waits |= !other.finished();
       }
-    if (!waits) e.search.emplace(lattice_.intervals, guess(e));
+    if (!waits) e.search.emplace(values_.intervals, guess(e));
   }
 }
 
@@ -223,7 +223,7 @@ std::vector<FoundBracket> Search::brackets() const {
     FoundBracket found{e.point, {}, {}, {}, {}, "not searched", static_cast<int>(e.runs.size())};
     if (e.search) {
       found.flags = e.between ? e.between->flags(half_, critical_.quantity().unit)
-                              : e.search->flags(lattice_, critical_.quantity().unit);
+                              : e.search->flags(values_, critical_.quantity().unit);
       if (const auto bracket = e.bracket()) {
         for (const auto& [index, key] : e.runs) {
           if (index == bracket->lower) found.lower_key = key;

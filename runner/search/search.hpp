@@ -75,7 +75,7 @@ class Search {
   std::optional<double> found_at(std::size_t family, double along, double cell) const;
 
   Searched critical_;
-  Lattice lattice_, half_;      ///< steps, and half steps
+  SearchValues values_, half_;  ///< steps, and half steps
   std::vector<Entry> entries_;  ///< coarse cells first, in the order of the study
 };
 

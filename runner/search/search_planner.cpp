@@ -67,16 +67,16 @@ AuditSample audit_sample(const std::vector<Job>& jobs, double share, const CostM
 std::vector<mpm::Scene> possible_scenes(const Study& study,
                                         const std::function<bool(const std::string& key)>& wanted) {
   const SearchRequest& request = *study.search;
-  Lattice lattice(request.lower, request.upper, request.tolerance);
-  lattice.intervals *= 2;  // half steps: where runs failed
+  SearchValues values(request.lower, request.upper, request.tolerance);
+  values.intervals *= 2;  // half steps: where runs failed
   const Searched critical(study);
   std::vector<mpm::Scene> scenes;
   const auto add = [&](const mpm::Scene& scene) {
     if (wanted(job_key(scene))) scenes.push_back(scene);
   };
   for (mpm::Scene scene : study.scenes)
-    for (int i = 0; i <= lattice.intervals; ++i) {
-      critical.set(scene, lattice.value(i));
+    for (int i = 0; i <= values.intervals; ++i) {
+      critical.set(scene, values.value(i));
       add(scene);
       if (stops_early(scene)) add(to_its_end(scene));
     }

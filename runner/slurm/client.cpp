@@ -11,7 +11,7 @@
 namespace mpmstudy {
 namespace {
 
-/// How long a command of Slurm may take [s]. A busy controller lets its clients wait for a minute and more.
+/// How long a command of Slurm may take [s]. With a busy controller clients wait for a minute and more.
 double patience() {
   const char* text = std::getenv("MPMSTUDY_SLURM_TIMEOUT");
   const double seconds = text != nullptr ? std::strtod(text, nullptr) : 0;

@@ -1,6 +1,6 @@
 #pragma once
-/// What the commands of Slurm say. None of them is believed by its silence: an exit code, an error, a notice
-/// in place of an answer, or no answer in time is "not known", never "nothing there".
+/// What the commands of Slurm answer. An exit code, an error, a notice in place of an answer, or no answer in
+/// time means "not known", never "nothing there".
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,7 +26,7 @@ struct QueueAnswer {
 };
 
 /// Asks for jobs by their names, or by their numbers: "a,b". Those that have ended are told, too, as long as
-/// Slurm remembers them. `clusters`: of --clusters; "": the one that this machine belongs to.
+/// Slurm keeps their records. `clusters`: of --clusters; "": the one that this machine belongs to.
 QueueAnswer queue_by_name(const std::string& names, const std::string& clusters);
 QueueAnswer queue_by_id(const std::string& ids, const std::string& clusters);
 

@@ -29,7 +29,7 @@ bool drops(const std::vector<std::string>& names, std::string_view entry) {
   });
 }
 
-/// A pipe whose reading end waits for nothing.
+/// A pipe whose reading end does not block.
 struct Pipe {
   int ends[2];
   Pipe() {

@@ -54,7 +54,7 @@ bool has_run(const fs::path& folder) {
   return false;
 }
 
-/// Why that Slurm knows nothing of the job does not say that it is over; "": it is over.
+/// Why a job that Slurm has no record of may still not be over; "": it is over.
 std::string doubt(const Submission& submission) {
   const SubmissionRecord& record = submission.record;
   if (record.clusters.empty() && !record.cluster.empty()) {

@@ -18,7 +18,8 @@ struct Submission {
   std::size_t whole = 0;                 ///< shards that are on the share
   std::size_t pending = 0, running = 0;  ///< elements in the queue
   std::size_t held = 0;                  ///< of the pending: someone has held them
-  std::vector<std::string> stranded;     ///< of the held: Slurm could not start them and asks for a human
+  std::vector<std::string>
+      stranded;  ///< of the held: Slurm could not start them and waits for a command of a user
   bool merge_queued = false;
   bool unmerged =
       false;  ///< it has ended, and its shards could not be taken over: they wait for the next run
@@ -55,7 +56,7 @@ struct Released {
   std::vector<std::string> refusals;  ///< "4711_3: what scontrol said"
 };
 
-/// Lets Slurm try again what is stranded.
+/// Releases what is stranded, so that Slurm tries it again.
 Released release_stranded(const std::vector<Submission>&);
 
 }  // namespace mpmstudy

@@ -46,8 +46,8 @@ std::string head(const SlurmScripts& s, const std::string& what, const std::stri
   std::string text = "#!/bin/bash\n";
   text += fmt::format("#SBATCH --job-name={}{}\n", s.job_name, what);
   text += fmt::format("#SBATCH --output={}\n", option_value(log_pattern(s.folder) + "/" + log));
-  // What cannot be started ends. Slurm would hold it until a human comes if it were to be tried again, and
-  // what depends on it would wait.
+  // What cannot be started ends. Slurm would hold it until a user releases it if it were to be tried again,
+  // and what depends on it would wait.
   text += "#SBATCH --no-requeue\n#SBATCH --open-mode=append\n";
   for (const auto& option : s.options) text += "#SBATCH " + option_line(option) + "\n";
   return text;

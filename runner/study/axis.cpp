@@ -17,8 +17,8 @@ constexpr std::array<std::string_view, 2> spacings = {"linear", "log"};
 class SweepTable {
  public:
   SweepTable(const mpm::Quantity& row, const Table& table, const Value& whole, const Units& units,
-             Problems& problems)
-      : row_(row), table_(table), whole_(whole), units_(units), problems_(problems) {}
+             Mistakes& mistakes)
+      : row_(row), table_(table), whole_(whole), units_(units), mistakes_(mistakes) {}
 
   bool read(Axis& axis) {
     for (const Entry& entry : table_.entries)
@@ -32,7 +32,7 @@ class SweepTable {
     } else if (!values && !from) {
       refuse(whole_, {"no sweep", "allowed: values = [...], or from = ..., to = ..., count = ..."});
     } else if (const auto conversion = read_unit()) {
-      values ? read_values(values->value, *conversion, axis) : read_interval(*conversion, axis);
+      values ? read_values(values->value, *conversion, axis) : read_range(*conversion, axis);
     }
     return good_;
   }
@@ -41,7 +41,7 @@ class SweepTable {
   std::string key(std::string_view part) const { return std::string(row_.name) + "." + std::string(part); }
   Expected expected() const { return {row_.unit, row_.range}; }
   void refuse(std::string_view key, const Value& value, const Refusal& refusal) {
-    problems_.add(key, value, refusal);
+    mistakes_.add(key, value, refusal);
     good_ = false;
   }
   void refuse(const Value& value, const Refusal& refusal) { this->refuse(row_.name, value, refusal); }
@@ -86,17 +86,17 @@ class SweepTable {
     }
   }
 
-  void read_interval(const Conversion& conversion, Axis& axis) {
-    Interval interval;
-    interval.conversion = conversion;
-    read_spacing(interval);
-    const auto from = read_end("from", interval.from, interval.from_text, conversion);
-    const auto to = read_end("to", interval.to, interval.to_text, conversion);
-    read_count(interval);
+  void read_range(const Conversion& conversion, Axis& axis) {
+    SweepRange range;
+    range.conversion = conversion;
+    read_spacing(range);
+    const auto from = read_end("from", range.from, range.from_text, conversion);
+    const auto to = read_end("to", range.to, range.to_text, conversion);
+    read_count(range);
     if (from && to && *from == *to) refuse(whole_, {"from and to are equal", "write a single value instead"});
-    if (good_ && interval.logarithmic && !(interval.from > 0 && interval.to > 0))
+    if (good_ && range.logarithmic && !(range.from > 0 && range.to > 0))
       refuse(whole_, {"a log spacing through zero", "allowed: from and to above zero"});
-    axis.interval = std::move(interval);
+    axis.range = std::move(range);
   }
 
   std::optional<double> read_end(std::string_view name, double& number, std::string& text,
@@ -116,31 +116,31 @@ class SweepTable {
     return std::get<double>(si);
   }
 
-  void read_count(Interval& interval) {
+  void read_count(SweepRange& range) {
     const Entry* entry = table_.find("count");
     if (!entry) return;
     const auto* count = std::get_if<std::int64_t>(&entry->value.data);
     if (!count || *count < 2)
       refuse(key("count"), entry->value, {"not a number of points", "allowed: a whole number, 2 or more"});
     else
-      interval.count = static_cast<std::uint64_t>(*count);
+      range.count = static_cast<std::uint64_t>(*count);
   }
 
-  void read_spacing(Interval& interval) {
+  void read_spacing(SweepRange& range) {
     const Entry* entry = table_.find("spacing");
     if (!entry) return;
     const std::string* word = entry->value.string();
     if (!word || std::find(spacings.begin(), spacings.end(), *word) == spacings.end())
       refuse(key("spacing"), entry->value, unknown_word(word ? *word : "", "spacing", spacings));
     else
-      interval.logarithmic = *word == spacings[1];
+      range.logarithmic = *word == spacings[1];
   }
 
   const mpm::Quantity& row_;
   const Table& table_;
   const Value& whole_;
   const Units& units_;
-  Problems& problems_;
+  Mistakes& mistakes_;
   bool good_ = true;
 };
 
@@ -155,7 +155,7 @@ Axis begin_axis(const Entry& entry) {
 
 }  // namespace
 
-double Interval::at(double share) const {
+double SweepRange::at(double share) const {
   if (share <= 0) return *conversion(from_text);
   if (share >= 1) return *conversion(to_text);
   const double written = logarithmic ? std::exp(std::log(from) + (std::log(to) - std::log(from)) * share)
@@ -164,18 +164,18 @@ double Interval::at(double share) const {
 }
 
 Point Axis::point(std::uint64_t i) const {
-  if (!interval) return points[i];
+  if (!range) return points[i];
   const double share = static_cast<double>(i) / static_cast<double>(size() - 1);
-  return {interval->at(share), value_place};
+  return {range->at(share), value_place};
 }
 
 std::optional<Axis> read_axis(const mpm::Quantity& row, const Entry& entry, const Units& units,
-                              Problems& problems) {
+                              Mistakes& mistakes) {
   Axis axis = begin_axis(entry);
   axis.quantity = &row;
   const Value& value = entry.value;
   if (const Table* table = value.table()) {
-    if (!SweepTable(row, *table, value, units, problems).read(axis)) return std::nullopt;
+    if (!SweepTable(row, *table, value, units, mistakes).read(axis)) return std::nullopt;
     return axis;
   }
   const Expected expected{row.unit, row.range};
@@ -183,7 +183,7 @@ std::optional<Axis> read_axis(const mpm::Quantity& row, const Entry& entry, cons
   const auto read_one = [&](const Value& one) {
     const Number number = read_quantity(one, expected, units);
     if (const auto* refusal = std::get_if<Refusal>(&number)) {
-      problems.add(row.name, one, *refusal);
+      mistakes.add(row.name, one, *refusal);
       good = false;
     } else {
       axis.points.push_back({std::get<double>(number), one.place});
@@ -191,7 +191,7 @@ std::optional<Axis> read_axis(const mpm::Quantity& row, const Entry& entry, cons
   };
   if (const List* list = value.list()) {
     if (list->empty()) {
-      problems.add(row.name, value, {"no values", "allowed: one value or more"});
+      mistakes.add(row.name, value, {"no values", "allowed: one value or more"});
       return std::nullopt;
     }
     for (const Value& one : *list) read_one(one);
@@ -201,14 +201,14 @@ std::optional<Axis> read_axis(const mpm::Quantity& row, const Entry& entry, cons
   return good ? std::optional(axis) : std::nullopt;
 }
 
-std::optional<Axis> read_axis(const mpm::Choice& row, const Entry& entry, Problems& problems) {
+std::optional<Axis> read_axis(const mpm::Choice& row, const Entry& entry, Mistakes& mistakes) {
   Axis axis = begin_axis(entry);
   axis.choice = &row;
   const Value* values = &entry.value;
   if (const Table* table = values->table()) {
     const Entry* inner = table->find("values");
     if (!inner || table->entries.size() != 1) {
-      problems.add(row.name, entry.value,
+      mistakes.add(row.name, entry.value,
                    {"not a sweep of words", "allowed: a list of words out of " + listed(row.allowed)});
       return std::nullopt;
     }
@@ -216,14 +216,14 @@ std::optional<Axis> read_axis(const mpm::Choice& row, const Entry& entry, Proble
   }
   const List one = {*values};
   const List& words = values->list() ? *values->list() : one;
-  if (words.empty()) problems.add(row.name, *values, {"no values", "allowed: " + listed(row.allowed)});
+  if (words.empty()) mistakes.add(row.name, *values, {"no values", "allowed: " + listed(row.allowed)});
   bool good = !words.empty();
   for (const Value& value : words) {
     const std::string* word = value.string();
     const auto found = word ? std::find(row.allowed.begin(), row.allowed.end(), *word) : row.allowed.end();
     if (found == row.allowed.end()) {
       const bool material = &row == &mpm::material_choice();
-      problems.add(row.name, value,
+      mistakes.add(row.name, value,
                    unknown_word(word ? *word : "", material ? "material" : "choice", row.allowed));
       good = false;
     } else {

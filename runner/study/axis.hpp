@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libmpm/scene/parameters.hpp"
-#include "runner/study/problems.hpp"
+#include "runner/study/mistakes.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/units.hpp"
 
@@ -20,7 +20,7 @@ struct Point {
 };
 
 /// { from, to, count, unit, spacing }: kept as it is written, because a count may be absurd.
-struct Interval {
+struct SweepRange {
   double from = 0, to = 0;             ///< in the written unit
   std::string from_text, to_text;      ///< the ends exactly
   std::optional<std::uint64_t> count;  ///< random sampling needs none
@@ -38,17 +38,17 @@ struct Axis {
   Place value_place;    ///< of the value
   std::string written;  ///< the value, as in the file
   bool swept = false;
-  std::vector<Point> points;         ///< empty if interval is set
-  std::optional<Interval> interval;  ///< a range
+  std::vector<Point> points;  ///< empty if range is set
+  std::optional<SweepRange> range;
 
   std::string_view name() const { return quantity ? quantity->name : choice->name; }
   /// Number of values; 0 for a range without a count.
-  std::uint64_t size() const { return interval ? interval->count.value_or(0) : points.size(); }
+  std::uint64_t size() const { return range ? range->count.value_or(0) : points.size(); }
   Point point(std::uint64_t i) const;  ///< i < size()
 };
 
-/// Reads the value of a row of the parameter table. Empty after adding problems.
-std::optional<Axis> read_axis(const mpm::Quantity&, const Entry&, const Units&, Problems&);
-std::optional<Axis> read_axis(const mpm::Choice&, const Entry&, Problems&);
+/// Reads the value of a row of the parameter table. Empty after adding mistakes.
+std::optional<Axis> read_axis(const mpm::Quantity&, const Entry&, const Units&, Mistakes&);
+std::optional<Axis> read_axis(const mpm::Choice&, const Entry&, Mistakes&);
 
 }  // namespace mpmstudy

@@ -11,9 +11,9 @@ namespace mpmstudy {
 /// order.
 std::string odd_character(std::string_view text);
 
-/// The first character that steers a terminal instead of being shown, for a message: "holds U+001B, a control
-/// character". Line ends, the order of letters (U+202E) and the controls of 8-bit terminals are among them.
-/// Empty if there is none.
+/// The first character that controls a terminal instead of being shown, for a message: "holds U+001B, a
+/// control character". Line ends, the order of letters (U+202E) and the controls of 8-bit terminals are among
+/// them. Empty if there is none.
 std::string control_character(std::string_view text);
 
 /// Text of a file or a command line, as it may go to a terminal: what control_character() finds is written as

@@ -23,21 +23,21 @@ std::optional<std::uint64_t> product(std::uint64_t a, std::uint64_t b) {
 
 /// Reads a whole number that sampling needs and the other modes do not have.
 void read_whole(const Table& table, std::string_view key, std::int64_t least, SweepMode mode,
-                const Place& place, std::uint64_t& number, Problems& problems) {
+                const Place& place, std::uint64_t& number, Mistakes& mistakes) {
   const Entry* entry = table.find(key);
   if (!is_sampled(mode)) {
     if (entry)
-      problems.add(key, entry->value,
+      mistakes.add(key, entry->value,
                    {"does not go with this mode", "it belongs to random and latin-hypercube; remove it"});
     return;
   }
   if (!entry) {
-    problems.add(place, key, {"missing", "random and latin-hypercube need samples = ... and seed = ..."});
+    mistakes.add(place, key, {"missing", "random and latin-hypercube need samples = ... and seed = ..."});
     return;
   }
   const auto* whole = std::get_if<std::int64_t>(&entry->value.data);
   if (!whole || *whole < least)
-    problems.add(key, entry->value,
+    mistakes.add(key, entry->value,
                  {"not a whole number of " + std::to_string(least) + " or more",
                   "write for example " + std::string(key) + " = 100"});
   else
@@ -45,20 +45,20 @@ void read_whole(const Table& table, std::string_view key, std::int64_t least, Sw
 }
 
 /// Modes that draw points need a range on every axis, the others need a number of values.
-bool axis_suits(const SweepRequest& request, const Axis& axis, Problems& problems) {
+bool axis_suits(const SweepRequest& request, const Axis& axis, Mistakes& mistakes) {
   const std::string mode(mode_names[static_cast<std::size_t>(request.mode)]);
-  if (is_sampled(request.mode) && !axis.interval) {
-    problems.add(axis.value_place, axis.name(), axis.written,
+  if (is_sampled(request.mode) && !axis.range) {
+    mistakes.add(axis.value_place, axis.name(), axis.written,
                  {"a list of values in a " + mode + " sweep", "allowed: a range { from = ..., to = ... }"});
     return false;
   }
   if (is_sampled(request.mode) && axis.quantity->range == mpm::Range::count) {
-    problems.add(axis.value_place, axis.name(), axis.written,
+    mistakes.add(axis.value_place, axis.name(), axis.written,
                  {"whole numbers in a " + mode + " sweep", "sweep it in a grid or zip, with values = [...]"});
     return false;
   }
-  if (!is_sampled(request.mode) && axis.interval && !axis.interval->count) {
-    problems.add(axis.value_place, axis.name(), axis.written,
+  if (!is_sampled(request.mode) && axis.range && !axis.range->count) {
+    mistakes.add(axis.value_place, axis.name(), axis.written,
                  {"no count", "a " + mode + " sweep needs count = ... beside from and to"});
     return false;
   }
@@ -67,17 +67,17 @@ bool axis_suits(const SweepRequest& request, const Axis& axis, Problems& problem
 
 bool is_override(const Place& place) { return place.line == 0 && !place.file.empty(); }
 
-/// Too many jobs. With a --set that sweeps or samples it is said of that one, the largest, for without it the
-/// file may be well; otherwise of the file as a whole, because all its sweeps share in the number.
+/// Too many jobs. With a --set that sweeps or samples it is said of that one, the largest, since without it
+/// the file may be valid; otherwise of the file as a whole, because all its sweeps share in the number.
 void refuse_count(const SweepRequest& request, const std::vector<const Axis*>& swept,
                   std::optional<std::uint64_t> jobs, std::uint64_t most_jobs, const Place& file,
-                  Problems& problems) {
+                  Mistakes& mistakes) {
   Refusal refusal{"more than can be counted", "sweep fewer values"};
   if (jobs)
     refusal = {"more than " + std::to_string(most_jobs) + " jobs",
                "sweep fewer values, or say --yes if that is meant"};
   if (is_sampled(request.mode) && is_override(request.samples_place)) {
-    problems.add(request.samples_place, "samples", std::to_string(request.samples), refusal);
+    mistakes.add(request.samples_place, "samples", std::to_string(request.samples), refusal);
     return;
   }
   const Axis* largest = nullptr;
@@ -87,24 +87,24 @@ void refuse_count(const SweepRequest& request, const std::vector<const Axis*>& s
   if (largest) {
     refusal.wrong = jobs ? "makes " + std::to_string(*jobs) + " jobs, more than " + std::to_string(most_jobs)
                          : "makes more jobs than can be counted";
-    problems.add(largest->value_place, largest->name(), largest->written, refusal);
+    mistakes.add(largest->value_place, largest->name(), largest->written, refusal);
   } else if (jobs) {
-    problems.add(file, "jobs", std::to_string(*jobs), refusal);
+    mistakes.add(file, "jobs", std::to_string(*jobs), refusal);
   } else {
-    problems.add(file, "jobs", refusal);
+    mistakes.add(file, "jobs", refusal);
   }
 }
 
 }  // namespace
 
-std::optional<SweepRequest> read_sweep(const Table* table, Problems& problems) {
+std::optional<SweepRequest> read_sweep(const Table* table, Mistakes& mistakes) {
   SweepRequest request;
   if (!table) return request;
   if (const Entry* entry = table->find("mode")) {
     const std::string* word = entry->value.string();
     const auto found = word ? std::find(mode_names.begin(), mode_names.end(), *word) : mode_names.end();
     if (found == mode_names.end()) {
-      problems.add("mode", entry->value, unknown_word(word ? *word : "", "mode", mode_names));
+      mistakes.add("mode", entry->value, unknown_word(word ? *word : "", "mode", mode_names));
       return std::nullopt;
     }
     request.mode = static_cast<SweepMode>(found - mode_names.begin());
@@ -112,21 +112,21 @@ std::optional<SweepRequest> read_sweep(const Table* table, Problems& problems) {
     request.written = entry->value.written();
   }
   if (const Entry* entry = table->find("samples")) request.samples_place = entry->value.place;
-  read_whole(*table, "samples", 1, request.mode, request.place, request.samples, problems);
-  read_whole(*table, "seed", 0, request.mode, request.place, request.seed, problems);
+  read_whole(*table, "samples", 1, request.mode, request.place, request.samples, mistakes);
+  read_whole(*table, "seed", 0, request.mode, request.place, request.seed, mistakes);
   if (is_sampled(request.mode) && request.samples == 0) return std::nullopt;
   return request;
 }
 
 std::optional<std::uint64_t> count_jobs(const SweepRequest& request, const std::vector<const Axis*>& swept,
-                                        std::uint64_t most_jobs, const Place& file, Problems& problems) {
+                                        std::uint64_t most_jobs, const Place& file, Mistakes& mistakes) {
   bool good = true;
-  for (const Axis* axis : swept) good = axis_suits(request, *axis, problems) && good;
+  for (const Axis* axis : swept) good = axis_suits(request, *axis, mistakes) && good;
   if (!good) return std::nullopt;
 
   const bool needs_axes = request.mode != SweepMode::grid;
   if (needs_axes && swept.empty()) {
-    problems.add(request.place, "mode", request.written,
+    mistakes.add(request.place, "mode", request.written,
                  {"nothing is swept", "give a parameter several values, or remove [sweep]"});
     return std::nullopt;
   }
@@ -142,7 +142,7 @@ std::optional<std::uint64_t> count_jobs(const SweepRequest& request, const std::
       good = good && axis->size() == *jobs;
     }
     if (!good) {
-      problems.add(request.place, "mode", request.written,
+      mistakes.add(request.place, "mode", request.written,
                    {"a zip of unequal lengths", "all need the same number of values: " + sizes});
       return std::nullopt;
     }
@@ -150,7 +150,7 @@ std::optional<std::uint64_t> count_jobs(const SweepRequest& request, const std::
     for (const Axis* axis : swept) jobs = jobs ? product(*jobs, axis->size()) : jobs;
   }
   if (jobs && *jobs <= most_jobs) return jobs;
-  refuse_count(request, swept, jobs, most_jobs, file, problems);
+  refuse_count(request, swept, jobs, most_jobs, file, mistakes);
   return std::nullopt;
 }
 
@@ -163,7 +163,7 @@ Combinations::Combinations(const SweepRequest& request, const std::vector<const 
                              : latin_hypercube(jobs, swept.size(), request.seed);
     for (std::size_t axis = 0; axis < swept.size(); ++axis)
       for (const auto& sample : samples)
-        columns_[axis].points.push_back({swept[axis]->interval->at(sample[axis]), swept[axis]->value_place});
+        columns_[axis].points.push_back({swept[axis]->range->at(sample[axis]), swept[axis]->value_place});
     return;
   }
   std::uint64_t stride = 1;

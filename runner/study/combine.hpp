@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runner/study/axis.hpp"
-#include "runner/study/problems.hpp"
+#include "runner/study/mistakes.hpp"
 
 namespace mpmstudy {
 
@@ -21,13 +21,13 @@ struct SweepRequest {
   std::string written = "\"grid\"";
 };
 
-/// Reads [sweep]; null: there is none. Empty after adding problems.
-std::optional<SweepRequest> read_sweep(const Table*, Problems&);
+/// Reads [sweep]; null: there is none. Empty after adding mistakes.
+std::optional<SweepRequest> read_sweep(const Table*, Mistakes&);
 
-/// The number of jobs, without making any; checks that the axes suit the mode. Empty after adding problems,
+/// The number of jobs, without making any; checks that the axes suit the mode. Empty after adding mistakes,
 /// among them: more than `most_jobs`.
 std::optional<std::uint64_t> count_jobs(const SweepRequest&, const std::vector<const Axis*>& swept,
-                                        std::uint64_t most_jobs, const Place& file, Problems&);
+                                        std::uint64_t most_jobs, const Place& file, Mistakes&);
 
 /// The value of every swept axis in every job. grid: the last axis varies fastest.
 class Combinations {

@@ -12,7 +12,7 @@
 
 namespace mpmstudy {
 
-void check_figure_files(const Table& document, std::size_t jobs, Problems& problems) {
+void check_figure_files(const Table& document, std::size_t jobs, Mistakes& mistakes) {
   const Entry* entry = document.find("figure");
   const List* list = entry ? entry->value.list() : nullptr;
   if (!list) return;
@@ -26,7 +26,7 @@ void check_figure_files(const Table& document, std::size_t jobs, Problems& probl
   }
   const auto refuse = [&](const std::string& file, const std::string& of) {
     if (const auto other = names.find(file); other != names.end())
-      problems.add("name", *other->second,
+      mistakes.add("name", *other->second,
                    {fmt::format("{}.png is also a file of figure \"{}\", which has a file per job: NAME-1, "
                                 "NAME-2, ..., and each as NAME-1-grey, ...",
                                 file, of),

@@ -15,24 +15,24 @@ namespace {
 /// More would reach cells that no machine holds.
 constexpr int most_cells = 16;
 
-int read_cells(const Entry& entry, int least, Problems& problems) {
+int read_cells(const Entry& entry, int least, Mistakes& mistakes) {
   const auto* cells = std::get_if<std::int64_t>(&entry.value.data);
   if (cells && *cells >= least && *cells <= most_cells) return static_cast<int>(*cells);
-  problems.add("ladder", entry.value,
+  mistakes.add("ladder", entry.value,
                {"not a number of cells", "allowed: a whole number from " + std::to_string(least) + " to " +
                                              std::to_string(most_cells)});
   return least;
 }
 
-std::optional<double> read_accuracy(const Entry& entry, const Units& units, Problems& problems) {
+std::optional<double> read_accuracy(const Entry& entry, const Units& units, Mistakes& mistakes) {
   const std::string allowed = "allowed: a share between 0 and 1, such as \"1 %\" or 0.01";
   const Number number = read_quantity(entry.value, {"1", mpm::Range::positive}, units);
   if (const auto* refusal = std::get_if<Refusal>(&number)) {
-    problems.add("accuracy", entry.value, {refusal->wrong, allowed});
+    mistakes.add("accuracy", entry.value, {refusal->wrong, allowed});
     return std::nullopt;
   }
   const double share = std::get<double>(number);
-  if (!(share < 1)) problems.add("accuracy", entry.value, {"not less than the whole", allowed});
+  if (!(share < 1)) mistakes.add("accuracy", entry.value, {"not less than the whole", allowed});
   return share;
 }
 
@@ -51,7 +51,7 @@ double coarsest_cell(const mpm::Scene& s) { return mpm::kind_of(s).coarsest_cell
 std::string_view default_accuracy_of(mpm::SceneKind kind) { return mpm::kind_of(kind).headline; }
 
 LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> kind, const Units& units,
-                          Problems& problems) {
+                          Mistakes& mistakes) {
   LadderRequest request;
   if (kind) request.quantity = default_accuracy_of(*kind);
   if (!numerics) return request;
@@ -60,19 +60,19 @@ LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> k
   const Entry* of = numerics->find("accuracy_of");
   const Entry* ladder = numerics->find("ladder");
   request.finds_cell = !cell && (accuracy || ladder);
-  if (accuracy) request.accuracy = read_accuracy(*accuracy, units, problems);
+  if (accuracy) request.accuracy = read_accuracy(*accuracy, units, mistakes);
   if (accuracy) request.cells = default_most_cells;
-  if (ladder) request.cells = read_cells(*ladder, accuracy ? first_cells : 1, problems);
+  if (ladder) request.cells = read_cells(*ladder, accuracy ? first_cells : 1, mistakes);
   if (accuracy && cell)
-    problems.add("accuracy", accuracy->value,
+    mistakes.add("accuracy", accuracy->value,
                  {"the cell is given and looked for", "remove accuracy or cell_size"});
   if (of && !accuracy) {
-    problems.add("accuracy_of", of->value, {"there is no accuracy", "add accuracy = \"1 %\", or remove it"});
+    mistakes.add("accuracy_of", of->value, {"there is no accuracy", "add accuracy = \"1 %\", or remove it"});
   } else if (of) {
     const std::string* name = of->value.string();
     const auto names = results_with_interval(kind);
     if (!name || std::find(names.begin(), names.end(), *name) == names.end())
-      problems.add("accuracy_of", of->value, unknown_word(name ? *name : "", "result", names));
+      mistakes.add("accuracy_of", of->value, unknown_word(name ? *name : "", "result", names));
     else
       request.quantity = *name;
   }

@@ -5,7 +5,7 @@
 
 #include "libmpm/scene/scene.hpp"
 #include "runner/study/ladder_request.hpp"
-#include "runner/study/problems.hpp"
+#include "runner/study/mistakes.hpp"
 #include "runner/study/units.hpp"
 
 namespace mpmstudy {
@@ -27,6 +27,6 @@ double coarsest_cell(const mpm::Scene&);
 std::string_view default_accuracy_of(mpm::SceneKind);
 
 /// Reads the keys out of [numerics]; null: there is no such table. Adds what is wrong with them.
-LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind>, const Units&, Problems&);
+LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind>, const Units&, Mistakes&);
 
 }  // namespace mpmstudy

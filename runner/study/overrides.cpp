@@ -50,12 +50,12 @@ Refusal unknown(std::string_view key) {
 }  // namespace
 
 void apply_overrides(Table& document, const std::vector<std::pair<std::string, std::string>>& set,
-                     Problems& problems) {
+                     Mistakes& mistakes) {
   for (const auto& [key, text] : set) {
     const auto [table_name, name] = locate(key);
     const Value value = value_of(key, name, text);
     if (!table_name) {
-      problems.add(value.place, key, text, unknown(key));
+      mistakes.add(value.place, key, text, unknown(key));
       continue;
     }
     Table* table = open_table(document, *table_name, value.place);

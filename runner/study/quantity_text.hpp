@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "libmpm/scene/parameters.hpp"
-#include "runner/study/problems.hpp"
+#include "runner/study/mistakes.hpp"
 #include "runner/study/units.hpp"
 
 namespace mpmstudy {

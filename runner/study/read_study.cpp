@@ -28,7 +28,7 @@ class Reader {
   }
 
   Study read() {
-    apply_overrides(document_, options_.set, problems_);
+    apply_overrides(document_, options_.set, mistakes_);
     read_top();
     read_material();
     read_parameters();
@@ -36,19 +36,19 @@ class Reader {
     read_ladder_of_cells();
     read_requests();
     check_complete();
-    const auto sweep = read_sweep(table("sweep"), problems_);
+    const auto sweep = read_sweep(table("sweep"), mistakes_);
     const auto swept = swept_axes(request_);
     for (const Axis* axis : swept) study_.swept.emplace_back(axis->name());
     std::optional<std::uint64_t> jobs;
-    if (sweep) jobs = count_jobs(*sweep, swept, options_.most_jobs, top_, problems_);
-    problems_.throw_if_any();
+    if (sweep) jobs = count_jobs(*sweep, swept, options_.most_jobs, top_, mistakes_);
+    mistakes_.throw_if_any();
     request_.units = study_.units;
     request_.cells = study_.ladder.finds_cell ? 1 : options_.cells;
-    study_.scenes = build_scenes(request_, Combinations(*sweep, swept, *jobs), problems_);
-    problems_.throw_if_any();
+    study_.scenes = build_scenes(request_, Combinations(*sweep, swept, *jobs), mistakes_);
+    mistakes_.throw_if_any();
     if (study_.search && study_.ladder.cells > 1) sweep_ladder();
-    check_figure_files(document_, study_.scenes.size(), problems_);
-    problems_.throw_if_any();
+    check_figure_files(document_, study_.scenes.size(), mistakes_);
+    mistakes_.throw_if_any();
     return std::move(study_);
   }
 
@@ -67,33 +67,33 @@ class Reader {
     if (const Entry* schema = document_.find("schema")) {
       const auto* number = std::get_if<std::int64_t>(&schema->value.data);
       if (!number || *number != schema_version)
-        problems_.add("schema", schema->value,
+        mistakes_.add("schema", schema->value,
                       {"not a schema that this program reads", "allowed: " + std::to_string(schema_version)});
     } else {
-      problems_.add(top_, "schema", {"missing", "write schema = " + std::to_string(schema_version)});
+      mistakes_.add(top_, "schema", {"missing", "write schema = " + std::to_string(schema_version)});
     }
-    if (const auto name = required_string(document_, top_, "name", "the name of the study", problems_)) {
+    if (const auto name = required_string(document_, top_, "name", "the name of the study", mistakes_)) {
       study_.name = *name;
       if (!is_file_name(*name))
-        problems_.add("name", document_.find("name")->value, {"cannot be a study's name", allowed_file_name});
+        mistakes_.add("name", document_.find("name")->value, {"cannot be a study's name", allowed_file_name});
       else if (name->ends_with("-audit"))
-        problems_.add("name", document_.find("name")->value,
+        mistakes_.add("name", document_.find("name")->value,
                       {"is kept for the runs that an audit of a search makes",
                        "allowed: a name that does not end in -audit"});
     }
     study_.title = study_.name;
-    if (document_.find("title")) study_.title = required_title(document_, top_, problems_).value_or("");
+    if (document_.find("title")) study_.title = required_title(document_, top_, mistakes_).value_or("");
     request_.place = top_;
     if (const auto name =
-            required_string(document_, top_, "scene", listed(mpm::scene_kind_names()), problems_)) {
+            required_string(document_, top_, "scene", listed(mpm::scene_kind_names()), mistakes_)) {
       request_.place = document_.find("scene")->value.place;
       kind_ = mpm::scene_kind_from(*name);
       if (!kind_)
-        problems_.add("scene", document_.find("scene")->value,
+        mistakes_.add("scene", document_.find("scene")->value,
                       unknown_word(*name, "scene", mpm::scene_kind_names()));
     }
     if (kind_) request_.kind = study_.kind = *kind_;
-    check_keys(document_, "", kind_, problems_);
+    check_keys(document_, "", kind_, mistakes_);
     for (const Entry& entry : document_.entries) read_row("", entry);
   }
 
@@ -103,7 +103,7 @@ class Reader {
     if (entry)
       study_.material_place = entry->value.place.text();
     else
-      problems_.add(place_of_table("parameters"), "material",
+      mistakes_.add(place_of_table("parameters"), "material",
                     {"missing", "one of: " + listed(mpm::material_names())});
   }
 
@@ -116,11 +116,11 @@ class Reader {
       if (entry.key == "fit" || entry.key == "figure") continue;
       const Table* entries = entry.value.table();
       if (!entries) {
-        problems_.add(entry.place, entry.key, entry.value.written(),
+        mistakes_.add(entry.place, entry.key, entry.value.written(),
                       {"not a table", "write [" + entry.key + "]"});
         continue;
       }
-      check_keys(*entries, entry.key, kind_, problems_);
+      check_keys(*entries, entry.key, kind_, mistakes_);
       for (const Entry& one : entries->entries) read_row(entry.key, one);
     }
   }
@@ -130,12 +130,12 @@ class Reader {
     if (const mpm::Quantity* row = mpm::find_quantity(entry.key); row && table_name(row->section) == table) {
       said_.push_back(entry.key);
       if (kind_ && !row->belongs_to(*kind_)) return;  // said by check_keys
-      axis = read_axis(*row, entry, units_, problems_);
+      axis = read_axis(*row, entry, units_, mistakes_);
     } else if (const mpm::Choice* choice = mpm::find_choice(entry.key);
                choice && table_name(choice->section) == table) {
       said_.push_back(entry.key);
       if (kind_ && !choice->belongs_to(*kind_)) return;
-      axis = read_axis(*choice, entry, problems_);
+      axis = read_axis(*choice, entry, mistakes_);
     }
     if (!axis) return;
     const bool scaled = entry.key == "cell_size" && options_.cells != 1;
@@ -157,16 +157,16 @@ class Reader {
     const auto scaled = [&](double value) {
       const double product = round_to_12_digits(value * options_.cells);
       if (!std::isnormal(product) && value != 0)
-        problems_.add(
+        mistakes_.add(
             axis.value_place, axis.name(), axis.written,
             {fmt::format("times --cells {} it is no cell", options_.cells), "allowed: a factor such as 0.5"});
       return product;
     };
-    if (axis.interval) {
-      axis.interval->from = scaled(axis.interval->from);
-      axis.interval->to = scaled(axis.interval->to);
-      axis.interval->from_text = fmt::format("{:.12g}", axis.interval->from);
-      axis.interval->to_text = fmt::format("{:.12g}", axis.interval->to);
+    if (axis.range) {
+      axis.range->from = scaled(axis.range->from);
+      axis.range->to = scaled(axis.range->to);
+      axis.range->from_text = fmt::format("{:.12g}", axis.range->from);
+      axis.range->to_text = fmt::format("{:.12g}", axis.range->to);
     }
     for (Point& point : axis.points) point.value = scaled(point.value);
   }
@@ -179,20 +179,20 @@ class Reader {
     study_.places.push_back(entry->value.place.text());
     const List* list = entry->value.list();
     if (!list) {
-      problems_.add("snapshots", entry->value, {"not a list", "allowed: times such as [\"1 ns\", \"2 ns\"]"});
+      mistakes_.add("snapshots", entry->value, {"not a list", "allowed: times such as [\"1 ns\", \"2 ns\"]"});
       return;
     }
     for (const Value& value : *list) {
       const Number time = read_quantity(value, {"s", mpm::Range::non_negative}, units_);
       if (const auto* refusal = std::get_if<Refusal>(&time))
-        problems_.add("snapshots", value, *refusal);
+        mistakes_.add("snapshots", value, *refusal);
       else
         request_.snapshots.push_back({std::get<double>(time), value.place});
     }
   }
 
   void read_ladder_of_cells() {
-    study_.ladder = read_ladder(table("numerics"), kind_, units_, problems_);
+    study_.ladder = read_ladder(table("numerics"), kind_, units_, mistakes_);
     if (study_.ladder.finds_cell) said_.emplace_back("cell_size");
     request_.ladder = study_.ladder;
     const Table* numerics = table("numerics");
@@ -206,7 +206,7 @@ class Reader {
   }
 
   void read_requests() {
-    study_.search = read_search(document_, kind_, units_, problems_);
+    study_.search = read_search(document_, kind_, units_, mistakes_);
     if (study_.search) place_search();
     const RequestContext context{kind_,
                                  fixed_,
@@ -216,9 +216,9 @@ class Reader {
                                  spaces(),
                                  !request_.snapshots.empty(),
                                  study_.search ? study_.search->critical : ""};
-    study_.fits = read_fits(document_, context, problems_);
-    study_.figures = read_figures(document_, context, problems_);
-    study_.expectation = read_expectation(document_, units_, problems_);
+    study_.fits = read_fits(document_, context, mistakes_);
+    study_.figures = read_figures(document_, context, mistakes_);
+    study_.expectation = read_expectation(document_, units_, mistakes_);
   }
 
   /// A ladder under a search is a sweep of its cells: each is searched, the finer from the coarser ones, and
@@ -245,13 +245,13 @@ class Reader {
       study_.warnings.push_back(search.find("critical")->value.place.text() +
                                 ": --cells has no effect: cell_size is looked for");
     if (says(name)) {
-      problems_.add("critical", search.find("critical")->value,
+      mistakes_.add("critical", search.find("critical")->value,
                     {"is looked for and given", "remove " + name + " from the file, or [search]"});
       return;
     }
     const Table* numerics = table("numerics");
     if (const Entry* accuracy = numerics ? numerics->find("accuracy") : nullptr)
-      problems_.add("accuracy", accuracy->value,
+      mistakes_.add("accuracy", accuracy->value,
                     {"is of single runs, and the study has a [search]",
                      "write ladder = 3 instead: a bracket on each of three cells, and the interval of the "
                      "critical value"});
@@ -273,7 +273,7 @@ class Reader {
       if (axis.name() != "decides") continue;
       for (const Point& point : axis.points)
         if ((point.value == static_cast<double>(mpm::Decides::ejection)) != request_.seeks_ejection)
-          problems_.add("outcome", search.find("outcome")->value,
+          mistakes_.add("outcome", search.find("outcome")->value,
                         {"no run that decides " +
                              std::string(axis.choice->allowed[static_cast<std::size_t>(point.value)]) +
                              " has this outcome",
@@ -316,10 +316,10 @@ class Reader {
       const std::string other = row.alternative.empty() ? "" : " (or " + std::string(row.alternative) + ")";
       if (says(row.name) && alternative) {
         const Entry* entry = table(home)->find(row.name);
-        problems_.add(entry->place, row.name, entry->value.written(),
+        mistakes_.add(entry->place, row.name, entry->value.written(),
                       {"given twice, also by " + std::string(row.alternative), "give one of the two"});
       } else if (!says(row.name) && !alternative) {
-        problems_.add(place_of_table(home), std::string(row.name) + other,
+        mistakes_.add(place_of_table(home), std::string(row.name) + other,
                       {"missing", "[" + std::string(home) + "] needs it: " + std::string(row.meaning) + ", " +
                                       allowed_quantity({row.unit, row.range})});
       }
@@ -330,7 +330,7 @@ class Reader {
   const Units& units_;
   Table document_;
   Place top_;
-  Problems problems_;
+  Mistakes mistakes_;
   Study study_;
   SceneRequest request_;
   std::optional<mpm::SceneKind> kind_;

@@ -55,11 +55,11 @@ std::vector<std::string_view> field_names() {
 /// One word out of a list, required.
 template <class Words>
 std::string read_word(const Entry& parent, const Table& table, std::string_view key, std::string_view what,
-                      const Words& words, Problems& problems) {
-  const auto text = required_string(table, parent.place, key, what, problems);
+                      const Words& words, Mistakes& mistakes) {
+  const auto text = required_string(table, parent.place, key, what, mistakes);
   if (!text) return {};
   if (std::find(words.begin(), words.end(), *text) == words.end())
-    problems.add(key, table.find(key)->value, unknown_word(*text, what, words));
+    mistakes.add(key, table.find(key)->value, unknown_word(*text, what, words));
   return *text;
 }
 
@@ -96,8 +96,8 @@ Refusal not_of_this_study(const mpm::ResultRow& row, const RequestContext& conte
 /// y of a fit or a figure: a result that jobs of this study can have. `wanted`: which of them will do.
 template <class Wanted>
 std::string read_result(const Entry& parent, const Table& table, const RequestContext& context,
-                        Problems& problems, Wanted wanted) {
-  const auto name = required_string(table, parent.place, "y", "result", problems);
+                        Mistakes& mistakes, Wanted wanted) {
+  const auto name = required_string(table, parent.place, "y", "result", mistakes);
   if (!name) return {};
   std::vector<std::string_view> own;
   for (const mpm::ResultRow& row : mpm::results())
@@ -105,9 +105,9 @@ std::string read_result(const Entry& parent, const Table& table, const RequestCo
   const mpm::ResultRow* row = mpm::find_result(*name);
   const Value& value = table.find("y")->value;
   if (!row || !wanted(*row))
-    problems.add("y", value, unknown_word(*name, "result", own));
+    mistakes.add("y", value, unknown_word(*name, "result", own));
   else if (!can_have(*row, context))
-    problems.add("y", value, not_of_this_study(*row, context, own));
+    mistakes.add("y", value, not_of_this_study(*row, context, own));
   return *name;
 }
 
@@ -116,36 +116,36 @@ bool with_interval(const mpm::ResultRow& row) { return row.has_interval; }
 
 /// y of a fit or an xy figure: a result, or what the study's [search] finds.
 std::string read_y(const Entry& parent, const Table& table, const RequestContext& context,
-                   Problems& problems) {
+                   Mistakes& mistakes) {
   const Entry* entry = table.find("y");
   const std::string* name = entry ? entry->value.string() : nullptr;
   if (name && critical_result(*name)) {
     if (context.critical.empty())
-      problems.add("y", entry->value, {"there is no [search]", "add one, or take a result of a run"});
+      mistakes.add("y", entry->value, {"there is no [search]", "add one, or take a result of a run"});
     else if (!critical_result(*name, context.critical))
-      problems.add(
+      mistakes.add(
           "y", entry->value,
           {"is not what [search] looks for", "allowed: " + listed(critical_names(context.critical))});
     return *name;
   }
-  return read_result(parent, table, context, problems, any_result);
+  return read_result(parent, table, context, mistakes, any_result);
 }
 
 /// x of a fit or a figure: a quantity that the study varies.
 std::string read_x(const Entry& parent, const Table& table, const RequestContext& context,
-                   Problems& problems) {
-  const auto name = required_string(table, parent.place, "x", "a swept quantity", problems);
+                   Mistakes& mistakes) {
+  const auto name = required_string(table, parent.place, "x", "a swept quantity", mistakes);
   if (!name) return {};
   std::vector<std::string_view> names;
   for (const mpm::Quantity& row : mpm::quantities())
     if (!context.kind || row.belongs_to(*context.kind)) names.push_back(row.name);
   const Value& value = table.find("x")->value;
   if (std::find(names.begin(), names.end(), *name) == names.end())
-    problems.add("x", value, unknown_word(*name, "quantity", names));
+    mistakes.add("x", value, unknown_word(*name, "quantity", names));
   else if (std::find(context.fixed.begin(), context.fixed.end(), *name) != context.fixed.end())
-    problems.add("x", value, {"has one value in this study", "sweep it, or take a quantity that is swept"});
+    mistakes.add("x", value, {"has one value in this study", "sweep it, or take a quantity that is swept"});
   else if (!context.says(*name))
-    problems.add("x", value,
+    mistakes.add("x", value,
                  {"is not in this study", "sweep it in [" +
                                               std::string(table_name(mpm::find_quantity(*name)->section)) +
                                               "], or take a quantity that is swept"});
@@ -154,26 +154,26 @@ std::string read_x(const Entry& parent, const Table& table, const RequestContext
 
 /// Whether this study can have a figure of that kind.
 void check_figure_kind(const FigureKindRow& row, const Value& value, const RequestContext& context,
-                       Problems& problems) {
+                       Mistakes& mistakes) {
   if (!can_draw(row, context.kind))
-    problems.add("kind", value,
+    mistakes.add("kind", value,
                  {std::string(mpm::to_string(*context.kind)) + " has no history of a cavity's area",
                   "allowed: " + listed(figure_words(context.kind))});
   if (row.of_snapshots && !context.has_snapshots)
-    problems.add("kind", value,
+    mistakes.add("kind", value,
                  {"there are no snapshots to draw", "write snapshots = [\"1 ns\"] in [measure]"});
 }
 
 /// What a figure's x and y are, for the keys that its kind has.
 void read_axes(const Entry& entry, const Table& table, const FigureKindRow& row,
-               const RequestContext& context, FigureRequest& figure, Problems& problems) {
+               const RequestContext& context, FigureRequest& figure, Mistakes& mistakes) {
   const auto refuse = [&](std::string_view key) {
     if (const Entry* extra = table.find(key))
-      problems.add(key, extra->value,
+      mistakes.add(key, extra->value,
                    {fmt::format("a figure of kind {} has no {}", row.word, key), "remove it"});
   };
   if (row.has_x)
-    figure.x = read_x(entry, table, context, problems);
+    figure.x = read_x(entry, table, context, mistakes);
   else
     refuse("x");
   switch (row.y) {
@@ -181,17 +181,17 @@ void read_axes(const Entry& entry, const Table& table, const FigureKindRow& row,
       refuse("y");
       break;
     case FigureY::result:
-      figure.y = read_y(entry, table, context, problems);
+      figure.y = read_y(entry, table, context, mistakes);
       break;
     case FigureY::result_with_interval:
-      figure.y = read_result(entry, table, context, problems, with_interval);
+      figure.y = read_result(entry, table, context, mistakes, with_interval);
       break;
     case FigureY::field:
-      figure.y = read_word(entry, table, "y", "field", field_names(), problems);
+      figure.y = read_word(entry, table, "y", "field", field_names(), mistakes);
       if (const mpm::Field* field = mpm::find_field(figure.y);
           field && field->only_of_three_axes() &&
           std::ranges::any_of(context.spaces, [](mpm::Space space) { return space != mpm::Space::three_d; }))
-        problems.add("y", table.find("y")->value,
+        mistakes.add("y", table.find("y")->value,
                      {"only jobs in three dimensions have this field",
                       "write space = \"three-d\", or take another field"});
       break;
@@ -199,65 +199,65 @@ void read_axes(const Entry& entry, const Table& table, const FigureKindRow& row,
 }
 
 void check_cells(const FigureKindRow& row, const Value& value, const RequestContext& context,
-                 Problems& problems) {
+                 Mistakes& mistakes) {
   if (row.least_cells <= 1) return;
   if (!context.critical.empty())
-    problems.add("kind", value, {"is of single runs, and the study has a [search]", "remove the figure"});
+    mistakes.add("kind", value, {"is of single runs, and the study has a [search]", "remove the figure"});
   else if (context.cells < row.least_cells)
-    problems.add("kind", value,
+    mistakes.add("kind", value,
                  {fmt::format("needs a ladder of {} cells or more", row.least_cells),
                   fmt::format("write ladder = {} in [numerics]", row.least_cells)});
 }
 
 /// Calls read(entry, table) for every [[name]].
 template <class Read>
-void for_each_table(const Table& document, std::string_view name, Problems& problems, Read read) {
+void for_each_table(const Table& document, std::string_view name, Mistakes& mistakes, Read read) {
   const Entry* entry = document.find(name);
   if (!entry) return;
   const List* list = entry->value.list();
   const bool tables =
       list && std::all_of(list->begin(), list->end(), [](const Value& v) { return v.table() != nullptr; });
   if (!tables) {
-    problems.add(entry->place, name, {"not an array of tables", "write [[" + std::string(name) + "]]"});
+    mistakes.add(entry->place, name, {"not an array of tables", "write [[" + std::string(name) + "]]"});
     return;
   }
   for (const Value& value : *list) {
     const Entry one{entry->key, value.place, value};
-    check_keys(*value.table(), name, std::nullopt, problems);
+    check_keys(*value.table(), name, std::nullopt, mistakes);
     read(one, *value.table());
   }
 }
 
 /// A number of [search] in the unit of its critical quantity.
 std::optional<double> read_bound(std::string_view key, const Value& value, const Expected& expected,
-                                 const Units& units, Problems& problems) {
+                                 const Units& units, Mistakes& mistakes) {
   const Number number = read_quantity(value, expected, units);
   if (const auto* refusal = std::get_if<Refusal>(&number)) {
-    problems.add(key, value, *refusal);
+    mistakes.add(key, value, *refusal);
     return std::nullopt;
   }
   return std::get<double>(number);
 }
 
 void read_between(const Entry& parent, const Table& table, const mpm::Quantity& row, const Units& units,
-                  SearchRequest& search, Problems& problems) {
+                  SearchRequest& search, Mistakes& mistakes) {
   const Refusal shape{"not a bracket", "allowed: two quantities, the smaller first"};
   const Entry* entry = table.find("between");
   if (!entry) {
-    problems.add(parent.place, "between", {"missing", shape.allowed});
+    mistakes.add(parent.place, "between", {"missing", shape.allowed});
     return;
   }
   const List* list = entry->value.list();
   if (!list || list->size() != 2) {
-    problems.add("between", entry->value, shape);
+    mistakes.add("between", entry->value, shape);
     return;
   }
   const mpm::Range range =  // both ends are finite
       row.range == mpm::Range::non_negative_or_infinite ? mpm::Range::non_negative : row.range;
-  const auto lower = read_bound("between", (*list)[0], {row.unit, range}, units, problems);
-  const auto upper = read_bound("between", (*list)[1], {row.unit, range}, units, problems);
+  const auto lower = read_bound("between", (*list)[0], {row.unit, range}, units, mistakes);
+  const auto upper = read_bound("between", (*list)[1], {row.unit, range}, units, mistakes);
   if (!lower || !upper) return;
-  if (!(*lower < *upper)) problems.add("between", entry->value, shape);
+  if (!(*lower < *upper)) mistakes.add("between", entry->value, shape);
   search.lower = *lower;
   search.upper = *upper;
   search.place = entry->value.place.text();
@@ -265,11 +265,11 @@ void read_between(const Entry& parent, const Table& table, const mpm::Quantity& 
 
 /// A tolerance far below the bracket is most likely a wrong unit.
 void check_steps(const Table& table, const mpm::Quantity& row, const SearchRequest& search,
-                 Problems& problems) {
+                 Mistakes& mistakes) {
   if (!(search.tolerance > 0) || !(search.upper > search.lower)) return;
   const double steps = search_steps(search.lower, search.upper, search.tolerance);
   if (steps <= most_search_steps) return;
-  problems.add("tolerance", table.find("tolerance")->value,
+  mistakes.add("tolerance", table.find("tolerance")->value,
                {fmt::format("makes {:.6g} steps between {} and {}", steps, readable(search.lower, row.unit),
                             readable(search.upper, row.unit)),
                 fmt::format("allowed: at most {:.0f} steps, a tolerance of {} or more", most_search_steps,
@@ -306,64 +306,64 @@ bool is_file_name(std::string_view name) {
 }
 
 std::optional<std::string> required_string(const Table& table, const Place& place, std::string_view key,
-                                           std::string_view what, Problems& problems) {
+                                           std::string_view what, Mistakes& mistakes) {
   const Entry* entry = table.find(key);
   if (!entry) {
-    problems.add(place, key, {"missing", "give " + std::string(key) + " = \"...\": " + std::string(what)});
+    mistakes.add(place, key, {"missing", "give " + std::string(key) + " = \"...\": " + std::string(what)});
     return std::nullopt;
   }
   const std::string* text = entry->value.string();
   if (!text || text->empty()) {
-    problems.add(key, entry->value, {text ? "empty" : "not a string", "allowed: " + std::string(what)});
+    mistakes.add(key, entry->value, {text ? "empty" : "not a string", "allowed: " + std::string(what)});
     return std::nullopt;
   }
   return *text;
 }
 
-std::optional<std::string> required_title(const Table& table, const Place& place, Problems& problems) {
+std::optional<std::string> required_title(const Table& table, const Place& place, Mistakes& mistakes) {
   constexpr const char* what = "a line of text";
-  const auto title = required_string(table, place, "title", what, problems);
+  const auto title = required_string(table, place, "title", what, mistakes);
   if (!title) return std::nullopt;
   if (std::string wrong = control_character(*title); !wrong.empty()) {
-    problems.add("title", table.find("title")->value, {wrong, std::string("allowed: ") + what});
+    mistakes.add("title", table.find("title")->value, {wrong, std::string("allowed: ") + what});
     return std::nullopt;
   }
   return title;
 }
 
-std::vector<FitRequest> read_fits(const Table& document, const RequestContext& context, Problems& problems) {
+std::vector<FitRequest> read_fits(const Table& document, const RequestContext& context, Mistakes& mistakes) {
   std::vector<FitRequest> fits;
-  for_each_table(document, "fit", problems, [&](const Entry& entry, const Table& table) {
+  for_each_table(document, "fit", mistakes, [&](const Entry& entry, const Table& table) {
     FitRequest fit;
-    fit.x = read_x(entry, table, context, problems);
-    fit.y = read_y(entry, table, context, problems);
-    fit.model = read_word(entry, table, "model", "model", analysis::fit_model_names(), problems);
+    fit.x = read_x(entry, table, context, mistakes);
+    fit.y = read_y(entry, table, context, mistakes);
+    fit.model = read_word(entry, table, "model", "model", analysis::fit_model_names(), mistakes);
     fits.push_back(fit);
   });
   return fits;
 }
 
 std::vector<FigureRequest> read_figures(const Table& document, const RequestContext& context,
-                                        Problems& problems) {
+                                        Mistakes& mistakes) {
   std::vector<FigureRequest> figures;
-  for_each_table(document, "figure", problems, [&](const Entry& entry, const Table& table) {
+  for_each_table(document, "figure", mistakes, [&](const Entry& entry, const Table& table) {
     FigureRequest figure;
     figure.name =
-        required_string(table, entry.place, "name", "the stem of a file name", problems).value_or("");
+        required_string(table, entry.place, "name", "the stem of a file name", mistakes).value_or("");
     if (!figure.name.empty() && !is_file_name(figure.name))
-      problems.add("name", table.find("name")->value, {"cannot be a file's name", allowed_file_name});
+      mistakes.add("name", table.find("name")->value, {"cannot be a file's name", allowed_file_name});
     for (const FigureRequest& other : figures)
       if (!figure.name.empty() && other.name == figure.name)
-        problems.add("name", table.find("name")->value, {"two figures of one name", "give each its own"});
-    if (table.find("title")) figure.title = required_title(table, entry.place, problems).value_or("");
+        mistakes.add("name", table.find("name")->value, {"two figures of one name", "give each its own"});
+    if (table.find("title")) figure.title = required_title(table, entry.place, mistakes).value_or("");
     const std::string word =
-        read_word(entry, table, "kind", "kind of figure", figure_words(std::nullopt), problems);
+        read_word(entry, table, "kind", "kind of figure", figure_words(std::nullopt), mistakes);
     if (const FigureKindRow* row = find_figure_kind(word)) {
       const Value& kind = table.find("kind")->value;
       figure.kind = row->kind;
-      check_figure_kind(*row, kind, context, problems);
-      read_axes(entry, table, *row, context, figure, problems);
-      check_cells(*row, kind, context, problems);
+      check_figure_kind(*row, kind, context, mistakes);
+      read_axes(entry, table, *row, context, figure, mistakes);
+      check_cells(*row, kind, context, mistakes);
     }
     figures.push_back(figure);
   });
@@ -371,18 +371,18 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
 }
 
 double read_tolerance(const Value& value, const mpm::Quantity& row, const SearchRequest& search,
-                      const Units& units, Problems& problems) {
+                      const Units& units, Mistakes& mistakes) {
   const Expected expected{row.unit, mpm::Range::positive, true};
-  const double width = read_bound("tolerance", value, expected, units, problems).value_or(0);
+  const double width = read_bound("tolerance", value, expected, units, mistakes).value_or(0);
   if (search.upper > search.lower && width > search.upper - search.lower)
-    problems.add("tolerance", value,
+    mistakes.add("tolerance", value,
                  {"is wider than `between`, so that nothing is left to search",
                   "allowed: a width below that of `between`"});
   return width;
 }
 
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind> kind,
-                                         const Units& units, Problems& problems) {
+                                         const Units& units, Mistakes& mistakes) {
   const Entry* entry = document.find("search");
   if (!entry || !entry->value.table()) return std::nullopt;
   const Table& table = *entry->value.table();
@@ -390,42 +390,42 @@ std::optional<SearchRequest> read_search(const Table& document, std::optional<mp
   std::vector<std::string_view> names;
   for (const mpm::Quantity& row : mpm::quantities())
     if (!kind || row.belongs_to(*kind)) names.push_back(row.name);
-  search.critical = read_word(*entry, table, "critical", "quantity", names, problems);
+  search.critical = read_word(*entry, table, "critical", "quantity", names, mistakes);
   if (kind && outcome_names(kind).empty())
-    problems.add(entry->place, "search",
+    mistakes.add(entry->place, "search",
                  {std::string(mpm::to_string(*kind)) + " has no outcome to look for", "remove [search]"});
   else
-    search.outcome = read_word(*entry, table, "outcome", "outcome", outcome_names(kind), problems);
+    search.outcome = read_word(*entry, table, "outcome", "outcome", outcome_names(kind), mistakes);
   const mpm::Quantity* row = mpm::find_quantity(search.critical);
   if (!row) return std::nullopt;
-  read_between(*entry, table, *row, units, search, problems);
+  read_between(*entry, table, *row, units, search, mistakes);
   if (const Entry* tolerance = table.find("tolerance"))
-    search.tolerance = read_tolerance(tolerance->value, *row, search, units, problems);
+    search.tolerance = read_tolerance(tolerance->value, *row, search, units, mistakes);
   else
-    problems.add(entry->place, "tolerance", {"missing", "give the width at which the search ends"});
-  check_steps(table, *row, search, problems);
+    mistakes.add(entry->place, "tolerance", {"missing", "give the width at which the search ends"});
+  check_steps(table, *row, search, mistakes);
   return search;
 }
 
-std::optional<Expectation> read_expectation(const Table& document, const Units& units, Problems& problems) {
+std::optional<Expectation> read_expectation(const Table& document, const Units& units, Mistakes& mistakes) {
   const Entry* entry = document.find("expect");
   if (!entry || !entry->value.table()) return std::nullopt;
   const Table& table = *entry->value.table();
   Expectation expected;
   const std::string outcome =
-      read_word(*entry, table, "outcome", "expected outcome", expected_outcomes, problems);
+      read_word(*entry, table, "outcome", "expected outcome", expected_outcomes, mistakes);
   if (const auto at = std::ranges::find(expected_outcomes, outcome); at != expected_outcomes.end())
     expected.outcome = static_cast<Outcome>(at - expected_outcomes.begin());
-  expected.why = required_string(table, entry->place, "why", "why the case is hard", problems).value_or("");
+  expected.why = required_string(table, entry->place, "why", "why the case is hard", mistakes).value_or("");
   if (expected.outcome != Outcome::holds)
     expected.reason =
-        required_string(table, entry->place, "reason", "words of the message", problems).value_or("");
+        required_string(table, entry->place, "reason", "words of the message", mistakes).value_or("");
   else if (const Entry* extra = table.find("reason"))
-    problems.add("reason", extra->value, {"what holds has no reason to fail", "remove it"});
+    mistakes.add("reason", extra->value, {"what holds has no reason to fail", "remove it"});
   if (const Entry* limit = table.find("energy_error")) {
     const Number number = read_quantity(limit->value, {"1", mpm::Range::positive}, units);
     if (const auto* refusal = std::get_if<Refusal>(&number))
-      problems.add("energy_error", limit->value, *refusal);
+      mistakes.add("energy_error", limit->value, *refusal);
     else
       expected.energy_error = std::get<double>(number);
   }

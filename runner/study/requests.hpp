@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "libmpm/scene/parameters.hpp"
-#include "runner/study/problems.hpp"
+#include "runner/study/mistakes.hpp"
 #include "runner/study/study.hpp"
 #include "runner/study/units.hpp"
 
@@ -26,30 +26,30 @@ struct RequestContext {
   bool says(std::string_view quantity) const;
 };
 
-std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Problems&);
-std::vector<FigureRequest> read_figures(const Table& document, const RequestContext&, Problems&);
+std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Mistakes&);
+std::vector<FigureRequest> read_figures(const Table& document, const RequestContext&, Mistakes&);
 
-/// Empty if there is no [search], or after adding problems.
+/// Empty if there is no [search], or after adding mistakes.
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
-                                         Problems&);
+                                         Mistakes&);
 
 /// Whether a ladder of cells gives a result an interval (libmpm/measure/results.hpp).
 bool has_interval(std::string_view result);
 /// Those of one job. With a kind: that this kind of scene has.
 std::vector<std::string_view> results_with_interval(std::optional<mpm::SceneKind>);
 
-/// Empty if there is no [expect], or after adding problems.
-std::optional<Expectation> read_expectation(const Table& document, const Units&, Problems&);
+/// Empty if there is no [expect], or after adding mistakes.
+std::optional<Expectation> read_expectation(const Table& document, const Units&, Mistakes&);
 
 /// A name that can be a file's.
 bool is_file_name(std::string_view);
 inline constexpr const char* allowed_file_name =
     "allowed: up to 100 letters, digits, '-', '_' and '.', not first a '.'";
 
-/// A string that must be there. Empty after adding a problem.
+/// A string that must be there. Empty after adding a mistake.
 std::optional<std::string> required_string(const Table&, const Place&, std::string_view key,
-                                           std::string_view what, Problems&);
+                                           std::string_view what, Mistakes&);
 /// A string that is shown on terminals, pages and figures: without control characters.
-std::optional<std::string> required_title(const Table&, const Place&, Problems&);
+std::optional<std::string> required_title(const Table&, const Place&, Mistakes&);
 
 }  // namespace mpmstudy

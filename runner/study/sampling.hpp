@@ -5,8 +5,8 @@
 
 namespace mpmstudy {
 
-/// SplitMix64 [Steele, Lea, Flood 2014]: a counter, stirred. Small, documented, and good enough to place the
-/// points of a study.
+/// SplitMix64 [Steele, Lea, Flood 2014]: a counter whose bits are mixed. Small, documented, and good enough
+/// to place the points of a study.
 class SplitMix64 {
  public:
   explicit SplitMix64(std::uint64_t seed) : state_(seed) {}

@@ -16,7 +16,7 @@ namespace {
 /// The period of the area history where a study says nothing, as a share of end_time.
 constexpr double default_area_samples = 320;
 
-/// After so many jobs with problems the rest would tell a user nothing new.
+/// After so many jobs with mistakes the rest would tell a user nothing new.
 constexpr int most_bad_jobs = 20;
 
 constexpr std::string_view space_name = "space";
@@ -66,21 +66,21 @@ mpm::Scene base_scene(const SceneRequest& request) {
   return scene;
 }
 
-/// Puts problems of one job where their values were written.
+/// Puts mistakes of one job where their values were written.
 class Reporter {
  public:
   Reporter(const SceneRequest& request, const std::vector<Assignment>& assignments,
-           const Combinations& combinations, Problems& problems)
-      : request_(request), assignments_(assignments), combinations_(combinations), problems_(problems) {}
+           const Combinations& combinations, Mistakes& mistakes)
+      : request_(request), assignments_(assignments), combinations_(combinations), mistakes_(mistakes) {}
 
-  /// Returns whether the job has a problem.
+  /// Returns whether the job has a mistake.
   bool check(const mpm::Scene& scene, std::uint64_t job) {
     bool bad = false;
     for (const Point& snapshot : request_.snapshots)
       if (snapshot.value > scene.end_time) {
         bad = true;
         const auto text = [&](double time) { return in_written_unit(time, "s", "end_time", request_.units); };
-        problems_.add(snapshot.place, "snapshots", text(snapshot.value),
+        mistakes_.add(snapshot.place, "snapshots", text(snapshot.value),
                       {"after the end of the run", "allowed: up to end_time = " + text(scene.end_time)});
       }
     for (const mpm::Problem& problem : mpm::find_problems(scene)) {
@@ -96,7 +96,7 @@ class Reporter {
         if (!as_written) written = of_the_file(scene.numerics.cell_size);
         wrong += fmt::format(": times --cells {} it is {}", request_.cells, value);
       }
-      problems_.add(source ? source->point(combinations_, job).place : request_.place, problem.parameter,
+      mistakes_.add(source ? source->point(combinations_, job).place : request_.place, problem.parameter,
                     written, {wrong, "allowed: " + in_file_units(problem.allowed, problem.parameter)});
     }
     return bad || check_ladder(scene);
@@ -110,7 +110,7 @@ class Reporter {
     cell = finer_cell(cell, ladder.finds_cell ? ladder.cells - 1 : 1 - ladder.cells);
     const auto wrong = mpm::find_problems(scene);
     for (const mpm::Problem& problem : wrong)
-      problems_.add(request_.ladder_place, "ladder", std::to_string(ladder.cells),
+      mistakes_.add(request_.ladder_place, "ladder", std::to_string(ladder.cells),
                     {"makes a cell of " + in_written_unit(cell, "m", "cell_size", request_.units) +
                          (request_.cells == 1 ? "" : fmt::format(", with --cells {}", request_.cells)),
                      "allowed: fewer cells, or a cell_size whose ladder keeps " + problem.parameter + " " +
@@ -137,7 +137,7 @@ class Reporter {
   const SceneRequest& request_;
   const std::vector<Assignment>& assignments_;
   const Combinations& combinations_;
-  Problems& problems_;
+  Mistakes& mistakes_;
 };
 
 }  // namespace
@@ -150,24 +150,24 @@ std::vector<const Axis*> swept_axes(const SceneRequest& request) {
 }
 
 std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinations& combinations,
-                                     Problems& problems) {
+                                     Mistakes& mistakes) {
   const std::vector<Assignment> ordered = assignments(request);
   for (const Assignment& one : ordered) {
-    if (one.column == not_swept || !one.axis->interval) continue;
+    if (one.column == not_swept || !one.axis->range) continue;
     for (const Point& point : combinations.points(one.column)) {
       const mpm::Quantity& row = *one.axis->quantity;
       const Number number = in_range(point.value, {row.unit, row.range});
       if (const auto* refusal = std::get_if<Refusal>(&number))
-        problems.add(point.place, row.name, one.axis->written,
+        mistakes.add(point.place, row.name, one.axis->written,
                      {"makes " + in_written_unit(point.value, row.unit, row.name, request.units) + ", " +
                           refusal->wrong,
                       refusal->allowed});
     }
   }
-  if (!problems.empty()) return {};
+  if (!mistakes.empty()) return {};
 
   const mpm::Scene base = base_scene(request);
-  Reporter reporter(request, ordered, combinations, problems);
+  Reporter reporter(request, ordered, combinations, mistakes);
   std::vector<mpm::Scene> scenes;
   scenes.reserve(combinations.jobs());
   const bool names_kernel =

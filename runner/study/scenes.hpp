@@ -7,7 +7,7 @@
 #include "runner/study/axis.hpp"
 #include "runner/study/combine.hpp"
 #include "runner/study/ladder_request.hpp"
-#include "runner/study/problems.hpp"
+#include "runner/study/mistakes.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
@@ -23,13 +23,13 @@ struct SceneRequest {
   double cells = 1;    ///< --cells: cell_size of the axes is that of the file times this
   LadderRequest ladder;
   Place ladder_place;  ///< of its key
-  Place place;         ///< of `scene`, for problems with values that the file does not name
+  Place place;         ///< of `scene`, for mistakes with values that the file does not name
 };
 
 /// The swept ones of the request's axes, in the order of the file.
 std::vector<const Axis*> swept_axes(const SceneRequest&);
 
 /// One scene per job. What mpm::find_problems has to say is added at the place of the value it is about.
-std::vector<mpm::Scene> build_scenes(const SceneRequest&, const Combinations&, Problems&);
+std::vector<mpm::Scene> build_scenes(const SceneRequest&, const Combinations&, Mistakes&);
 
 }  // namespace mpmstudy

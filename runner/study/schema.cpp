@@ -130,7 +130,7 @@ Refusal unknown_key(std::string_view key, std::string_view table, std::optional<
 }
 
 void check_keys(const Table& entries, std::string_view table, std::optional<mpm::SceneKind> kind,
-                Problems& problems) {
+                Mistakes& mistakes) {
   auto known = keys_of(table, kind);
   if (table.empty()) {
     const auto tables = table_names();
@@ -140,9 +140,9 @@ void check_keys(const Table& entries, std::string_view table, std::optional<mpm:
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     const Refusal refusal = unknown_key(entry.key, table, kind);
     if (entry.value.table())
-      problems.add(entry.place, entry.key, refusal);
+      mistakes.add(entry.place, entry.key, refusal);
     else
-      problems.add(entry.place, entry.key, entry.value.written(), refusal);
+      mistakes.add(entry.place, entry.key, entry.value.written(), refusal);
   }
 }
 
@@ -160,7 +160,7 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
   std::string_view best;
   std::size_t smallest = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string_view candidate : candidates) {
-    // IMPACT_SPEED is one slip, not twelve.
+    // IMPACT_SPEED is one mistake, not twelve.
     const std::size_t distance =
         lower(word) == lower(candidate) ? word != candidate : edit_distance(word, candidate);
     if (distance < smallest) {

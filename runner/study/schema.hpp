@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libmpm/scene/parameters.hpp"
-#include "runner/study/problems.hpp"
+#include "runner/study/mistakes.hpp"
 
 namespace mpmstudy {
 
@@ -27,8 +27,8 @@ std::optional<std::string_view> table_of(std::string_view key);
 /// What to say of a key that `table` does not have: the nearest one, or the table that it belongs to.
 Refusal unknown_key(std::string_view key, std::string_view table, std::optional<mpm::SceneKind>);
 
-/// Adds a problem for every entry that `table` does not have.
-void check_keys(const Table&, std::string_view table, std::optional<mpm::SceneKind>, Problems&);
+/// Adds a mistake for every entry that `table` does not have.
+void check_keys(const Table&, std::string_view table, std::optional<mpm::SceneKind>, Mistakes&);
 
 /// The candidate with the smallest edit distance, if that is small; otherwise empty.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);

@@ -80,7 +80,7 @@ struct Study {
   std::vector<std::string> given;   ///< names of everything the file sets, swept or not; the rest is default
   std::vector<std::string> places;  ///< of given, where each is said: "studies/a.toml:12:16", "--set"
   WrittenUnits units;               ///< of what is given with a unit and of what is searched
-  std::vector<mpm::Scene> scenes;   ///< one per job, in the order of the sweep, every one without problems
+  std::vector<mpm::Scene> scenes;   ///< one per job, in the order of the sweep, every one without mistakes
   LadderRequest ladder;             ///< under every scene, whose cell is one end of it
   std::string material_place;  ///< where the material is named; its constants stand for what is not given
   std::string ladder_place;    ///< where more than one cell is asked for; "": nowhere
@@ -97,7 +97,7 @@ struct ReadOptions {
   std::uint64_t most_jobs = 1'000'000;  ///< more is a StudyError that names --yes
 };
 
-/// Throws StudyError; collects every problem of the file into one message, a line each.
+/// Throws StudyError; collects every mistake of the file into one message, a line each.
 Study read_study(const std::filesystem::path&, const ReadOptions& = {});
 /// For those who read many: the unit database takes longer to load than a study to read.
 Study read_study(const std::filesystem::path&, const ReadOptions&, const Units&);

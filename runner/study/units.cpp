@@ -21,7 +21,7 @@ using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 using Converter = std::unique_ptr<cv_converter, FreeConverter>;
 
 /// Letters, and digits as exponents only. UDUNITS also takes factors ("5um") and origins ("s since 1990"):
-/// a second number in a quantity is a slip of the pen, never meant.
+/// a second number in a quantity is a mistake, never meant.
 bool is_plain(std::string_view unit) {
   char before = ' ';
   for (const char c : unit) {
@@ -65,7 +65,7 @@ std::optional<double> Conversion::operator()(std::string_view number) const {
 }
 
 Units::Units() : system_(std::make_unique<System>()) {
-  ut_set_error_message_handler(ut_ignore);  // its remarks are not for our user's terminal
+  ut_set_error_message_handler(ut_ignore);  // its messages are not for the user's terminal
   system_->handle = ut_read_xml(nullptr);
   if (system_->handle == nullptr)
     throw std::runtime_error(

@@ -16,8 +16,8 @@ using testing::HasSubstr;
 class FieldPlotTest : public TemporaryFolderTest {};
 
 /// Half a block of 2 x 2 around a round hole at the origin, x >= 0; value y.
-Particles make_block(double spacing, double hole) {
-  Particles p;
+ParticleSquares make_block(double spacing, double hole) {
+  ParticleSquares p;
   for (double x = spacing / 2; x < 1; x += spacing)
     for (double y = -1 + spacing / 2; y < 1; y += spacing) {
       if (std::hypot(x, y) < hole) continue;
@@ -49,12 +49,12 @@ TEST(Raster, AParticleSmallerThanAPixelIsSeen) {
 
 TEST(Raster, WhatIsOutsideOrNotANumberIsLeftOut) {
   const double nan = std::nan("");
-  const Particles p{{5, nan, 0.5}, {5, 0.5, 0.5}, {0.1, 0.1, 0.1}, {1, 1, nan}};
+  const ParticleSquares p{{5, nan, 0.5}, {5, 0.5, 0.5}, {0.1, 0.1, 0.1}, {1, 1, nan}};
   for (const float v : rasterise(p, true, {0, 1, 0, 1}, 10, 10).values) EXPECT_TRUE(std::isnan(v));
 }
 
 TEST(Raster, WindowLeavesAStrayParticleOut) {
-  Particles p = make_block(0.02, 0.5);
+  ParticleSquares p = make_block(0.02, 0.5);
   p.x.push_back(0.1), p.y.push_back(1000), p.size.push_back(0.02), p.value.push_back(0);
   const Window w = window_of({&p}, true);
   EXPECT_LT(w.y_max, 1.2);
@@ -66,11 +66,11 @@ TEST_F(FieldPlotTest, PanelsTitlesUnitsAndSize) {
   FieldPlot plot;
   plot.title = "Pressure";
   plot.footer = "physics version 1";
-  plot.value = quantity_of("pressure", "Pa", "P");
+  plot.value = quantity_label("pressure", "Pa", "P");
   plot.mirrored = true;
   for (const double t : {1.0e-9, 1.62e-9, 2.2e-9, 16e-9}) {
-    FieldPanel panel{value_label(quantity_of("time", "s", "t"), t), make_block(0.05, 0.5)};
-    for (auto column : {&Particles::x, &Particles::y, &Particles::size})
+    FieldPanel panel{value_label(quantity_label("time", "s", "t"), t), make_block(0.05, 0.5)};
+    for (auto column : {&ParticleSquares::x, &ParticleSquares::y, &ParticleSquares::size})
       for (double& v : panel.particles.*column) v *= 5e-6;
     for (double& v : panel.particles.value) v *= 3e9;
     plot.panels.push_back(panel);
@@ -102,9 +102,9 @@ double place_of(const std::string& svg, const std::string& text) {
 TEST_F(FieldPlotTest, TitlesOfNarrowPanelsStandApart) {
   FieldPlot plot;
   plot.title = "Pressure";
-  plot.value = quantity_of("pressure", "Pa", "P");
+  plot.value = quantity_label("pressure", "Pa", "P");
   for (const char* title : {"t = 1.6201 ns", "t = 1.6202 ns", "t = 1.6203 ns"}) {
-    Particles p = make_block(0.05, 0.5);
+    ParticleSquares p = make_block(0.05, 0.5);
     for (double& x : p.x) x /= 20;  // a tall, narrow body
     plot.panels.push_back({title, p});
   }
@@ -116,7 +116,7 @@ TEST_F(FieldPlotTest, TitlesOfNarrowPanelsStandApart) {
 
 TEST_F(FieldPlotTest, OneParticleWithoutAValueToSpeakOfIsDrawn) {
   FieldPlot plot;
-  plot.value = quantity_of("plastic_work", "J/m^3");
+  plot.value = quantity_label("plastic_work", "J/m^3");
   plot.panels.push_back({"t = 0 ns", {{1e-6}, {2e-6}, {1e-7}, {0}}});
   draw(plot, folder_ / "one");
   EXPECT_GT(png_size(read("one.png")).first, 0);

@@ -29,7 +29,7 @@ TEST(Fit, NistNorris) {
                      0.1, 778.1, 668.8, 339.3, 448.9, 10.8,  557.7, 228.3, 998.0, 888.8, 119.6, 0.3,
                      0.6, 557.6, 339.3, 888.0, 998.5, 778.9, 10.2,  117.6, 228.9, 668.4, 449.2, 0.2};
   const Fit fit = fit_polynomial(FitModel::linear, x, y);
-  ASSERT_TRUE(fit.ok()) << fit.problem;
+  ASSERT_TRUE(fit.ok()) << fit.failure;
   expect_relative(fit.coefficients[0], -0.262323073774029, 1e-11);
   expect_relative(fit.coefficients[1], 1.00211681802045, 1e-13);
   expect_relative(fit.standard_errors[0], 0.232818234301152, 1e-11);
@@ -51,7 +51,7 @@ TEST(Fit, NistPontius) {
                      .54798,  .65739,  .76596,  .87474,  .98300,  1.09150, 1.20004, 1.30818,
                      1.41613, 1.52408, 1.63159, 1.73965, 1.84696, 1.95445, 2.06177, 2.16829};
   const Fit fit = fit_polynomial(FitModel::quadratic, x, y);
-  ASSERT_TRUE(fit.ok()) << fit.problem;
+  ASSERT_TRUE(fit.ok()) << fit.failure;
   expect_relative(fit.coefficients[0], 0.673565789473684e-3, 1e-10);
   expect_relative(fit.coefficients[1], 0.732059160401003e-6, 1e-12);
   expect_relative(fit.coefficients[2], -0.316081871345029e-14, 1e-10);
@@ -139,7 +139,7 @@ TEST(Fit, SaysWhyThereIsNone) {
   const auto problem = [](const Numbers& x, const Numbers& y, const Numbers& e = {}) {
     const Fit fit = fit_polynomial(FitModel::quadratic, x, y, e);
     EXPECT_TRUE(fit.coefficients.empty());
-    return fit.problem;
+    return fit.failure;
   };
   EXPECT_THAT(problem({}, {}), HasSubstr("needs at least 3 points; there are 0"));
   EXPECT_THAT(problem({1, 2}, {1, 2}), HasSubstr("needs at least 3 points; there are 2"));

@@ -20,11 +20,11 @@ Plot make_history(int curves) {
   Plot plot;
   plot.title = "Area against time";
   plot.footer = "catalog 0123abcd, physics version 1";
-  plot.x = quantity_of("time", "s", "t");
-  plot.y = quantity_of("area", "m^2", "A", "Cavity area");
+  plot.x = quantity_label("time", "s", "t");
+  plot.y = quantity_label("area", "m^2", "A", "Cavity area");
   for (int k = 1; k <= curves; ++k) {
     Series series;
-    series.label = value_label(quantity_of("cavity_radius", "m", "R"), 0.5e-6 * k);
+    series.label = value_label(quantity_label("cavity_radius", "m", "R"), 0.5e-6 * k);
     for (int i = 0; i <= 100; ++i) {
       series.x.push_back(0.16e-9 * i);
       series.y.push_back(1e-12 * k * std::exp(-0.03 * i));
@@ -38,8 +38,8 @@ Plot make_xy(const std::vector<double>& x) {
   Plot plot;
   plot.kind = Plot::Kind::xy;
   plot.title = "Collapsibility against radius";
-  plot.x = quantity_of("cavity_radius", "m", "R");
-  plot.y = quantity_of("collapsibility", "1", "Φ");
+  plot.x = quantity_label("cavity_radius", "m", "R");
+  plot.y = quantity_label("collapsibility", "1", "Φ");
   Series series{"simulations", x, {}, {}};
   for (const double radius : x) {
     series.y.push_back(1.1 - 0.2e6 * radius + 0.01 * std::sin(1e7 * radius));
@@ -116,8 +116,8 @@ TEST_F(PlotTest, XyHasPointsErrorBarsFitAndBand) {
 TEST_F(PlotTest, CaptionIsInTheUnitsOfTheAxes) {
   const std::vector<double> x = {1e-6, 2e-6, 3e-6, 4e-6}, y = {2, 4, 4, 6};
   const Fit fit = fit_polynomial(FitModel::linear, x, y);
-  const Quantity radius = quantity_of("cavity_radius", "m", "R"),
-                 phi = quantity_of("collapsibility", "1", "Φ");
+  const QuantityLabel radius = quantity_label("cavity_radius", "m", "R"),
+                      phi = quantity_label("collapsibility", "1", "Φ");
   EXPECT_EQ(fit_caption(fit, radius, display_unit("m", 1e-6), phi, display_unit("1", 1)),
             "Φ = (1.00 ± 0.77) + (1.20 ± 0.28) R;  R in µm;  r² = 0.9000");
 }

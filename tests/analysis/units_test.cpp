@@ -20,29 +20,30 @@ TEST(Units, PicksTheUnitInWhichNumbersAreShort) {
 }
 
 TEST(Units, Labels) {
-  const Quantity radius = quantity_of("cavity_radius", "m", "R");
+  const QuantityLabel radius = quantity_label("cavity_radius", "m", "R");
   EXPECT_EQ(axis_label(radius, display_unit("m", 1e-6)), "Cavity radius R (µm)");
-  EXPECT_EQ(axis_label(quantity_of("collapsibility", "1", "Φ"), display_unit("1", 1)), "Collapsibility Φ");
+  EXPECT_EQ(axis_label(quantity_label("collapsibility", "1", "Φ"), display_unit("1", 1)), "Collapsibility Φ");
   EXPECT_EQ(value_label(radius, 1.5e-6), "R = 1.5 µm");
-  EXPECT_EQ(value_label(quantity_of("yield_stress", "Pa", "Y"), 108.5714e6), "Y = 108.6 MPa");
-  EXPECT_EQ(value_label(quantity_of("particles_per_cell"), 4), "Particles per cell = 4");
-  EXPECT_EQ(axis_label(quantity_of("rod_length", "m"), display_unit("m", 0.1)), "Rod length (mm)");
+  EXPECT_EQ(value_label(quantity_label("yield_stress", "Pa", "Y"), 108.5714e6), "Y = 108.6 MPa");
+  EXPECT_EQ(value_label(quantity_label("particles_per_cell"), 4), "Particles per cell = 4");
+  EXPECT_EQ(axis_label(quantity_label("rod_length", "m"), display_unit("m", 0.1)), "Rod length (mm)");
 }
 
 TEST(Units, ColumnsAndMetricsAreNamedWithoutTheirUnits) {
   const auto label = [](const char* name, const char* unit, double largest) {
-    const Quantity quantity = quantity_of(name, unit);
+    const QuantityLabel quantity = quantity_label(name, unit);
     return axis_label(quantity, display_unit(quantity.unit, largest));
   };
   EXPECT_EQ(label("centroid_shift_m", "m", 2e-7), "Centroid shift (nm)");
   EXPECT_EQ(label("final_void_area_m2", "m2", 2e-12), "Final void area (µm²)");
   EXPECT_EQ(label("hot_spot_work_J_m3", "J/m3", 2e9), "Hot spot work (GJ/m³)");
-  EXPECT_EQ(quantity_of("hot_spot_work_J_m3", "J/m3", "", "Work of the hot spot").name,
+  EXPECT_EQ(quantity_label("hot_spot_work_J_m3", "J/m3", "", "Work of the hot spot").name,
             "Work of the hot spot");
 }
 
 TEST(Units, LabelsHaveDigitsUntilTheyDiffer) {
-  const Quantity speed = quantity_of("impact_speed", "m/s", "u"), time = quantity_of("time", "s", "t");
+  const QuantityLabel speed = quantity_label("impact_speed", "m/s", "u"),
+                      time = quantity_label("time", "s", "t");
   using Labels = std::vector<std::string>;
   EXPECT_EQ(value_labels(speed, std::vector{1500.0, 1500.1, 1500.2}),
             (Labels{"u = 1.5 km/s", "u = 1.5001 km/s", "u = 1.5002 km/s"}));

@@ -1,7 +1,7 @@
 // Any bytes as results/catalog.db: opened, or refused with a CatalogError, to read and to write.
 //
-// Input that begins with '~' changes a good catalog instead, four bytes a change: three of the place, one of
-// what stands there then. A fuzzer that has to invent whole databases hardly gets beyond their first page.
+// Input that begins with '~' changes a good catalog instead, four bytes per change: three for the place, one
+// for the new byte. A fuzzer that has to make whole databases hardly gets beyond their first page.
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -29,11 +29,11 @@ Bytes good_catalog(const std::filesystem::path& results) {
     for (const int n : {1, 2}) {
       mpmstudy::FinishedJob job;
       job.key = mpmstudy::fakes::key(n);
-      writer.claim(job.key);
+      writer.reserve(job.key);
       job.status = n == 1 ? mpmstudy::JobStatus::done : mpmstudy::JobStatus::failed;
       job.result = mpmstudy::fakes::result_of(mpmstudy::fakes::scene(1e-6));
       if (n == 1) job.snapshots = {{1e-9, 3, "fields/a", 3, "00"}};
-      writer.finish(job);
+      writer.complete(job);
     }
     writer.flush();
   }
@@ -78,7 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   attempt([&] {
     mpmstudy::CatalogWriter writer(results);
     writer.register_study("s", "S", {mpmstudy::fakes::job(2), mpmstudy::fakes::job(4)}, true);
-    writer.claim(mpmstudy::fakes::key(2));
+    writer.reserve(mpmstudy::fakes::key(2));
   });
   return 0;
 }

@@ -19,7 +19,7 @@ std::string bytes_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// Statements that go on and on are stopped: the fuzzer looks for damage, not for patience.
+/// Statements that go on and on are stopped: the fuzzer looks for damage, not for slow statements.
 constexpr double most_seconds = 0.1;
 
 struct FewRows : mpmstudy::RowSink {

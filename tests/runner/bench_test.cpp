@@ -1,4 +1,4 @@
-// `bench kernel --json`: one object a row, with the names that others read.
+// `bench kernel --json`: one object per row, with the names that others read.
 #include <gtest/gtest.h>
 
 #include <array>

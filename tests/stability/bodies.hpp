@@ -17,7 +17,7 @@ mpm::State nothing(mpm::Vec2 low, mpm::Vec2 cell, int columns);
 
 inline bool everywhere(const mpm::Vec2&) { return true; }
 
-/// Adds the lattice points, side x side a cell, of [low, low + size] that `inside` takes.
+/// Adds the lattice points, side x side per cell, of [low, low + size] that `inside` takes.
 template <class Inside, class Velocity>
 void fill(mpm::State& s, const mpm::Scene& scene, mpm::Vec2 low, mpm::Vec2 size, int side,
           const Inside& inside, const Velocity& velocity) {

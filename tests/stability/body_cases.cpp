@@ -122,7 +122,7 @@ Outcome on_edges() {
   constexpr double cell = 0.2 * um;
   const mpm::Scene scene = frame(200, cell, 6 * ns);
   mpm::State s = nothing({0, 0}, {cell, cell}, 10);
-  // one a cell, on its lower left corner: the first column and row stand on the walls
+  // one per cell, on its lower left corner: the first column and row stand on the walls
   const double volume = cell * cell;
   for (int j = 0; j < 20; ++j)
     for (int i = 0; i <= 10; ++i) {

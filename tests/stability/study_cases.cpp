@@ -69,9 +69,9 @@ Outcome run_by_both(mpm::Scene scene) {
 
 /// The study is refused: its [expect] is read by itself.
 Case refused_case(const fs::path& path, const std::string& message) {
-  mpmstudy::Problems problems;
+  mpmstudy::Mistakes mistakes;
   const auto expected =
-      mpmstudy::read_expectation(mpmstudy::read_document(path), mpmstudy::Units(), problems);
+      mpmstudy::read_expectation(mpmstudy::read_document(path), mpmstudy::Units(), mistakes);
   if (!expected || expected->outcome != Expectation::Outcome::refused) throw std::runtime_error(message);
   Outcome o;
   o.as_expected = message.find(expected->reason) != std::string::npos;

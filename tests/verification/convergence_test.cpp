@@ -43,7 +43,7 @@ void expect_second_order(mpm::ShapeFunction shape, int side, double finest) {
 }
 
 // The quadrature error is what stops the quadratic B-spline: the smoother cubic one goes on, and so do
-// domains that tile, even one to a cell, where Gimp, whose domains cannot grow beyond a cell, goes astray.
+// domains that tile, even one per cell, where Gimp, whose domains cannot grow beyond a cell, goes astray.
 TEST(Convergence, AxisAlignedLargeStrainWithCubicBSplines) { expect_second_order(bspline3, 2, 0.0045); }
 TEST(Convergence, AxisAlignedLargeStrainWithOneParallelogramACell) { expect_second_order(cpdi, 1, 0.0042); }
 TEST(Convergence, AxisAlignedLargeStrainWithTilingDomains) { expect_second_order(gimp, 2, 0.0025); }
@@ -86,7 +86,7 @@ TEST(Convergence, IsReportedWithTheErrorThatTheOrderReaches) {
   expect_holds(mpm::verification::number_of(numbers, "order, 32 to 64 cells"));
   const auto& reached = mpm::verification::number_of(numbers, "error to which the order is 1.8");
   EXPECT_EQ(reached.ours, axis_aligned_error({gimp, 64}));
-  // One particle a cell goes astray at once.
+  // One particle per cell goes wrong at once.
   const auto lost =
       mpm::verification::axis_aligned_numbers({.cells = 4, .scheme = gimp, .particles_per_cell = 1});
   EXPECT_FALSE(mpm::verification::number_of(lost, "order, 16 to 32 cells").holds());

@@ -24,8 +24,8 @@ TEST(PlanarImpactAt200, ReachesTheExactState) {
   EXPECT_LT(number_of(numbers, "elastic limit stress").error(), 0.005);
 }
 
-// The noise of one particle a cell grows with the compression, here to two thirds of the volume, and does not
-// fall with the cell. A smoother shape function on more particles has none of it.
+// The noise of one particle per cell grows with the compression, here to two thirds of the volume, and does
+// not fall with the cell. A smoother shape function on more particles has none of it.
 TEST(PlanarImpactAt3000, ReachesTheExactState) {
   for (const auto& n : planar_impact_numbers(3000, {})) {
     if (n.quantity == "plateau noise")

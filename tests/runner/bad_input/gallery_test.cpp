@@ -207,7 +207,7 @@ TEST(BadInput, ARunThatIsRefusedLeavesTheResultsAlone) {
   }
 }
 
-/// Nobody waits for it, and no machine holds it: asked for, and without a terminal refused.
+/// Too long and too large for any machine: asked for, and without a terminal refused.
 TEST(BadInput, ARunThatTakesTooMuchIsRefused) {
   const Folder folder;
   std::ofstream(folder.path() / "good.toml") << good_study;
@@ -219,7 +219,7 @@ TEST(BadInput, ARunThatTakesTooMuchIsRefused) {
   EXPECT_THAT(outcome.err, testing::ContainsRegex("and about [0-9]+ h [0-9]+ min"));
   EXPECT_THAT(outcome.err, HasSubstr("--yes"));
   EXPECT_EQ(folder.contents(), before);
-  // To look at it costs nothing.
+  // `check` and `plan` do not ask.
   EXPECT_THAT(run(folder, "check good.toml --set cell_size='1 nm'").out, HasSubstr(" GB of memory each"));
   EXPECT_EQ(run(folder, "plan good.toml --set cell_size='1 nm'").exit_code, 0);
   EXPECT_EQ(run(folder, "run -n good.toml --set cell_size='1 nm'").exit_code, 0);

@@ -26,7 +26,7 @@ class Merge : public testing::Test {
     const std::vector<Job> jobs(all.begin() + first, all.begin() + last + 1);
     writer.register_study("fake", "A fake", jobs, false);
     for (const auto& job : jobs) {
-      EXPECT_TRUE(writer.claim(job.key));
+      EXPECT_TRUE(writer.reserve(job.key));
       FinishedJob finished;
       finished.key = job.key;
       finished.result = fakes::result_of(job.scene);
@@ -35,7 +35,7 @@ class Merge : public testing::Test {
       fs::create_directories((here / file).parent_path());
       std::ofstream(here / file) << job.key;
       finished.snapshots = {{1e-9, 3, file, 32, checksum_of(here / file)}};
-      writer.finish(std::move(finished));
+      writer.complete(std::move(finished));
     }
     return here;
   }
@@ -101,13 +101,13 @@ TEST_F(Merge, what_failed_here_and_is_done_there_is_done) {
   {
     CatalogWriter writer(results);
     writer.register_study("fake", "A fake", all, false);
-    writer.claim(all[0].key);
+    writer.reserve(all[0].key);
     FinishedJob failed;
     failed.key = all[0].key;
     failed.status = JobStatus::failed;
     failed.failure = FailureKind::timeout;
     failed.reason = "slow machine";
-    writer.finish(failed);
+    writer.complete(failed);
   }
   EXPECT_EQ(merge(make("a", 0, 0)).merged, 1);
   EXPECT_EQ(count("jobs WHERE status = 'done' AND reason IS NULL AND failure_kind IS NULL AND attempt = 2"),
@@ -123,12 +123,12 @@ TEST_F(Merge, retry_plans_what_its_filter_names) {
   CatalogWriter writer(results);
   writer.register_study("fake", "A fake", all, false);
   for (int i = 0; i < 3; ++i) {
-    writer.claim(all[static_cast<std::size_t>(i)].key);
+    writer.reserve(all[static_cast<std::size_t>(i)].key);
     FinishedJob failed;
     failed.key = all[static_cast<std::size_t>(i)].key;
     failed.status = JobStatus::failed;
     failed.failure = i == 0 ? FailureKind::timeout : FailureKind::breakdown;
-    writer.finish(failed);
+    writer.complete(failed);
   }
   writer.flush();
   Store store(results, {});

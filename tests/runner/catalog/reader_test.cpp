@@ -22,7 +22,7 @@ TEST_F(Reader, state_names_who_runs_what) {
   CatalogWriter writer(folder.path());
   const auto jobs = fakes::plan(3).jobs;
   writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[1].key);
+  writer.reserve(jobs[1].key);
   const auto state = read_state(folder.path(), {"s"});
   ASSERT_EQ(state.studies.size(), 1u);
   EXPECT_EQ(state.studies[0].jobs.at(JobStatus::planned), 2);
@@ -39,7 +39,7 @@ TEST_F(Reader, state_says_whose_process_has_gone) {
   CatalogWriter writer(folder.path(), killed);
   const auto jobs = fakes::plan(1).jobs;
   writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
+  writer.reserve(jobs[0].key);
   const auto state = read_state(folder.path());
   ASSERT_EQ(state.running.size(), 1u);
   EXPECT_EQ(state.running[0].gone, "its process has gone");
@@ -51,7 +51,7 @@ TEST_F(Reader, state_says_when_another_machine_was_last_heard_of) {
   CatalogWriter writer(folder.path(), far);
   const auto jobs = fakes::plan(1).jobs;
   writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
+  writer.reserve(jobs[0].key);
   EXPECT_EQ(read_state(folder.path()).running.at(0).gone, "");
   EXPECT_NE(read_state(folder.path()).running.at(0).last_sign, "");
   const auto set = [&](const std::string& what) {
@@ -70,7 +70,7 @@ TEST_F(Reader, a_catalog_of_an_older_program_is_read_as_it_is) {
   {
     CatalogWriter writer(folder.path());
     writer.register_study("s", "S", fakes::plan(1).jobs, false);
-    writer.claim(fakes::key(1));
+    writer.reserve(fakes::key(1));
   }
   SQLite::Database((folder.path() / "catalog.db").string(), SQLite::OPEN_READWRITE)
       .exec(
@@ -91,7 +91,7 @@ TEST_F(Reader, state_names_the_study_of_coarser_cells) {
   auto jobs = fakes::plan(2).jobs;
   jobs[0].rung_of = 1;
   writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
+  writer.reserve(jobs[0].key);
   const auto state = read_state(folder.path(), {"s"});
   ASSERT_EQ(state.running.size(), 1u);
   EXPECT_EQ(state.running[0].study, "s");

@@ -1,5 +1,5 @@
-// The names that queries, figures and other programs rely on. A failure here is a broken promise: add
-// columns at the end, rename none.
+// The names that queries, figures and other programs rely on. A failure here means that a query of a
+// user may break: add columns at the end, rename none.
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The writer: whole rows, exact bits, states that tell the truth, readers beside it.
+// The writer: whole rows, exact bits, true states, readers at the same time.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -50,11 +50,11 @@ TEST_F(Writer, a_job_filed_under_its_former_key_is_found) {
   const Job before{former_key(scene), scene, {1000, 200}, 1}, now{job_key(scene), scene, {1000, 200}, 1};
   ASSERT_NE(before.key, now.key);
   writer.register_study("s", "S", {before}, false);
-  EXPECT_TRUE(writer.claim(before.key));
+  EXPECT_TRUE(writer.reserve(before.key));
   const auto file = folder.path() / finished(before).snapshots[0].path;
   std::filesystem::create_directories(file.parent_path());
   std::ofstream(file) << "ten bytes!";
-  writer.finish(finished(before));
+  writer.complete(finished(before));
   writer.flush();
   const auto again = writer.register_study("s", "S", {now}, false);
   EXPECT_EQ(again.done, 1);
@@ -79,7 +79,7 @@ TEST_F(Writer, one_that_was_only_planned_runs_under_the_new_key) {
   const Job before{former_key(scene), scene, {1000, 200}, 1}, now{job_key(scene), scene, {1000, 200}, 1};
   writer.register_study("s", "S", {before}, false);
   EXPECT_EQ(writer.register_study("s", "S", {now}, false).to_run, std::vector{now.key});
-  EXPECT_TRUE(writer.claim(now.key));
+  EXPECT_TRUE(writer.reserve(now.key));
   EXPECT_EQ(count("jobs"), 1);
 }
 
@@ -88,11 +88,11 @@ TEST_F(Writer, a_job_goes_from_planned_to_done_once) {
   const auto plan = fakes::plan(2);
   const auto registration = writer.register_study("s", "S", plan.jobs, false);
   EXPECT_EQ(registration.to_run, (std::vector{fakes::key(1), fakes::key(2)}));
-  EXPECT_TRUE(writer.claim(fakes::key(1)));
-  EXPECT_FALSE(writer.claim(fakes::key(1)));
+  EXPECT_TRUE(writer.reserve(fakes::key(1)));
+  EXPECT_FALSE(writer.reserve(fakes::key(1)));
   std::filesystem::create_directories(folder.path() / "fields" / fakes::key(1));
   std::ofstream(folder.path() / finished(plan.jobs[0]).snapshots[0].path) << "ten bytes!";
-  writer.finish(finished(plan.jobs[0]));
+  writer.complete(finished(plan.jobs[0]));
   writer.flush();
   EXPECT_EQ(count("jobs WHERE status = 'done' AND wall_s = 1.5 AND cpu_s = 1.25"), 1);
   EXPECT_EQ(count("metrics"), 2);
@@ -109,14 +109,14 @@ TEST_F(Writer, doubles_keep_their_bits) {
   auto job = fakes::job(1);
   job.scene.cavity_radius = std::nextafter(1e-6, 1);
   writer.register_study("s", "S", {job}, false);
-  ASSERT_TRUE(writer.claim(job.key));
+  ASSERT_TRUE(writer.reserve(job.key));
   auto f = finished(job);
   const double odd[] = {0.1 + 0.2, 5e-324, -1.7976931348623157e308, 1.0 / 3, INFINITY, 3.0, 1e300 / 7};
   f.result.metrics.clear();
   for (std::size_t i = 0; i < std::size(odd); ++i)
     f.result.metrics.push_back({"m" + std::to_string(i), odd[i], "1", {}});
   f.result.metrics.push_back({"m9", NAN, "1", {}});
-  writer.finish(f);
+  writer.complete(f);
   writer.flush();
   const auto rows = query(folder.path(), "SELECT value FROM metrics ORDER BY name").rows;
   for (std::size_t i = 0; i < std::size(odd); ++i)
@@ -145,17 +145,17 @@ TEST_F(Writer, failed_jobs_are_left_unless_told) {
   CatalogWriter writer(folder.path());
   const auto jobs = fakes::plan(1).jobs;
   writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
+  writer.reserve(jobs[0].key);
   auto f = finished(jobs[0]);
   f.status = JobStatus::failed;
   f.reason = "step 7: particle 3 has no volume";
-  writer.finish(f);
+  writer.complete(f);
   EXPECT_EQ(writer.register_study("s", "S", jobs, false).failed, 1);
   const auto state = read_state(folder.path());
   ASSERT_EQ(state.failed.size(), 1u);
   EXPECT_EQ(state.failed[0].reason, f.reason);
   EXPECT_EQ(writer.register_study("s", "S", jobs, true).to_run.size(), 1u);
-  EXPECT_TRUE(writer.claim(jobs[0].key));
+  EXPECT_TRUE(writer.reserve(jobs[0].key));
   EXPECT_EQ(one("SELECT attempt FROM jobs"), SqlValue(std::int64_t{2}));
 }
 
@@ -164,10 +164,10 @@ TEST_F(Writer, a_second_result_replaces_the_first_attempts) {
   const auto jobs = fakes::plan(1).jobs;
   writer.register_study("s", "S", jobs, false);
   for (const auto status : {JobStatus::failed, JobStatus::done}) {
-    ASSERT_TRUE(writer.claim(jobs[0].key));
+    ASSERT_TRUE(writer.reserve(jobs[0].key));
     auto f = finished(jobs[0]);
     f.status = status;
-    writer.finish(f);
+    writer.complete(f);
     writer.register_study("s", "S", jobs, true);
   }
   EXPECT_EQ(count("area_history"), 50);
@@ -178,22 +178,22 @@ TEST_F(Writer, a_result_of_a_job_that_is_not_ours_is_an_error) {
   CatalogWriter writer(folder.path());
   const auto jobs = fakes::plan(1).jobs;
   writer.register_study("s", "S", jobs, false);
-  EXPECT_THROW(writer.finish(finished(jobs[0])), CatalogError);  // never claimed
+  EXPECT_THROW(writer.complete(finished(jobs[0])), CatalogError);  // never reserved
   EXPECT_EQ(count("jobs WHERE status = 'planned'"), 1);
   EXPECT_EQ(count("metrics"), 0);
 }
 
-TEST_F(Writer, two_writers_never_claim_the_same_job) {
+TEST_F(Writer, two_writers_never_reserve_the_same_job) {
   CatalogWriter a(folder.path()), b(folder.path());
   const auto jobs = fakes::plan(50).jobs;
   a.register_study("s", "S", jobs, false);
-  std::atomic<int> claimed = 0;
+  std::atomic<int> reserved = 0;
   std::thread other([&] {
-    for (const auto& job : jobs) claimed += b.claim(job.key).mine;
+    for (const auto& job : jobs) reserved += b.reserve(job.key).mine;
   });
-  for (const auto& job : jobs) claimed += a.claim(job.key).mine;
+  for (const auto& job : jobs) reserved += a.reserve(job.key).mine;
   other.join();
-  EXPECT_EQ(claimed, 50);
+  EXPECT_EQ(reserved, 50);
   EXPECT_EQ(a.register_study("s", "S", jobs, false).running_elsewhere, 50);
 }
 
@@ -203,7 +203,7 @@ TEST_F(Writer, jobs_of_a_process_that_is_gone_are_planned_again) {
   dead.store.process.pid = 1;  // lives, but began at another time
   CatalogWriter zombie(folder.path(), dead);
   zombie.register_study("s", "S", jobs, false);
-  ASSERT_TRUE(zombie.claim(jobs[0].key));
+  ASSERT_TRUE(zombie.reserve(jobs[0].key));
   CatalogWriter writer(folder.path());
   const auto registration = writer.register_study("s", "S", jobs, false);
   EXPECT_EQ(registration.taken_up, 1);
@@ -211,12 +211,12 @@ TEST_F(Writer, jobs_of_a_process_that_is_gone_are_planned_again) {
   EXPECT_EQ(count("events WHERE from_status = 'running' AND to_status = 'planned' AND reason LIKE '%gone%'"),
             1);
   EXPECT_FALSE(zombie.holds(jobs[0].key));
-  EXPECT_FALSE(zombie.finish(finished(jobs[0])));  // too late: the job is not its own any longer
+  EXPECT_FALSE(zombie.complete(finished(jobs[0])));  // too late: the job is not its own any longer
   EXPECT_EQ(count("jobs WHERE status = 'planned' AND crashes = 1"), 1);
   EXPECT_EQ(count("metrics"), 0);
 }
 
-TEST_F(Writer, a_claim_takes_up_a_job_whose_process_is_gone_meanwhile) {
+TEST_F(Writer, reserving_takes_up_a_job_whose_process_is_gone_meanwhile) {
   const auto jobs = fakes::plan(2).jobs;
   WriterOptions options;
   const pid_t child = fork();
@@ -225,38 +225,38 @@ TEST_F(Writer, a_claim_takes_up_a_job_whose_process_is_gone_meanwhile) {
   options.store.process.process_start = process_with(child).process_start;
   CatalogWriter mortal(folder.path(), options);
   mortal.register_study("s", "S", jobs, false);
-  ASSERT_TRUE(mortal.claim(jobs[0].key));
+  ASSERT_TRUE(mortal.reserve(jobs[0].key));
   CatalogWriter writer(folder.path());
-  EXPECT_EQ(writer.claim(jobs[0].key).status, JobStatus::running);
+  EXPECT_EQ(writer.reserve(jobs[0].key).status, JobStatus::running);
   kill(child, SIGKILL);
-  EXPECT_EQ(writer.claim(jobs[1].key).crashes, 0);
+  EXPECT_EQ(writer.reserve(jobs[1].key).crashes, 0);
   waitpid(child, nullptr, 0);
-  const auto claim = writer.claim(jobs[0].key);
-  EXPECT_TRUE(claim);
-  EXPECT_EQ(claim.crashes, 1);
+  const auto reservation = writer.reserve(jobs[0].key);
+  EXPECT_TRUE(reservation);
+  EXPECT_EQ(reservation.crashes, 1);
   EXPECT_EQ(count("events WHERE reason LIKE '%gone%'"), 1);
 }
 
-TEST_F(Writer, a_claim_says_what_the_job_is_that_it_does_not_get) {
+TEST_F(Writer, reserving_says_what_the_job_is_that_it_does_not_get) {
   CatalogWriter writer(folder.path());
   const auto jobs = fakes::plan(1).jobs;
   writer.register_study("s", "S", jobs, false);
-  ASSERT_TRUE(writer.claim(jobs[0].key));
-  writer.finish(finished(jobs[0]));
-  EXPECT_EQ(writer.claim(jobs[0].key).status, JobStatus::done);
-  EXPECT_FALSE(writer.claim("unknown"));
+  ASSERT_TRUE(writer.reserve(jobs[0].key));
+  writer.complete(finished(jobs[0]));
+  EXPECT_EQ(writer.reserve(jobs[0].key).status, JobStatus::done);
+  EXPECT_FALSE(writer.reserve("unknown"));
 }
 
 TEST_F(Writer, the_kind_of_a_failure_is_kept_and_goes_with_it) {
   CatalogWriter writer(folder.path());
   const auto jobs = fakes::plan(1).jobs;
   writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
+  writer.reserve(jobs[0].key);
   EXPECT_EQ(writer.crashed(jobs[0].key), 1);
   auto f = finished(jobs[0]);
   f.status = JobStatus::failed;
   f.failure = FailureKind::timeout;
-  writer.finish(f);
+  writer.complete(f);
   writer.flush();
   EXPECT_EQ(one("SELECT failure_kind || crashes FROM jobs"), SqlValue("timeout1"));
   writer.register_study("s", "S", jobs, true);
@@ -267,9 +267,9 @@ TEST_F(Writer, orphans_are_swept_and_nothing_else) {
   CatalogWriter writer(folder.path());
   const auto jobs = fakes::plan(3).jobs;
   writer.register_study("s", "S", jobs, false);
-  writer.claim(jobs[0].key);
-  writer.claim(jobs[1].key);
-  writer.finish(finished(jobs[0]));
+  writer.reserve(jobs[0].key);
+  writer.reserve(jobs[1].key);
+  writer.complete(finished(jobs[0]));
   namespace fs = std::filesystem;
   for (const auto& key : {jobs[0].key, jobs[1].key, jobs[2].key, std::string("nobody")}) {
     fs::create_directories(folder.path() / "fields" / key);
@@ -286,13 +286,13 @@ class FieldFiles : public Writer {
  protected:
   FieldFiles() {
     writer.register_study("s", "S", jobs, false);
-    writer.claim(jobs[0].key);
+    writer.reserve(jobs[0].key);
     auto f = finished(jobs[0]);
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path) << "ten bytes!";
     f.snapshots[0].checksum = checksum_of(path);
     f.snapshots[0].modified_ns = modified_ns(path);
-    writer.finish(f);
+    writer.complete(f);
     writer.flush();
   }
   /// Registers again: is the job to run?
@@ -331,7 +331,7 @@ TEST_F(Writer, jobs_of_another_host_are_its_own_while_it_gives_signs_of_life) {
   far.store.process.host = "another-host";
   CatalogWriter other(folder.path(), far);
   other.register_study("s", "S", jobs, false);
-  ASSERT_TRUE(other.claim(jobs[0].key));
+  ASSERT_TRUE(other.reserve(jobs[0].key));
   CatalogWriter writer(folder.path());
   EXPECT_EQ(writer.register_study("s", "S", jobs, false).running_elsewhere, 1);
 }
@@ -347,19 +347,19 @@ class Machines : public Writer {
     options.heartbeat = std::chrono::milliseconds(20);
     return options;
   }
-  /// A process that has claimed the job, and then says nothing any longer.
+  /// A process that has reserved the job, and then gives no sign of life.
   std::unique_ptr<CatalogWriter> silent(WriterOptions options) {
     options.heartbeat = std::chrono::hours(1);
     auto writer = std::make_unique<CatalogWriter>(folder.path(), options);
     writer->register_study("s", "S", jobs, false);
-    EXPECT_TRUE(writer->claim(jobs[0].key));
+    EXPECT_TRUE(writer->reserve(jobs[0].key));
     return writer;
   }
   /// Asks for the job until `writer` gets it, for so long.
   bool gets_the_job(CatalogWriter& writer, std::chrono::milliseconds time) {
     for (const auto end = std::chrono::steady_clock::now() + time; std::chrono::steady_clock::now() < end;
          std::this_thread::sleep_for(std::chrono::milliseconds(10)))
-      if (writer.claim(jobs[0].key)) return true;
+      if (writer.reserve(jobs[0].key)) return true;
     return false;
   }
   const std::vector<Job> jobs = fakes::plan(1).jobs;
@@ -379,7 +379,7 @@ TEST_F(Machines, a_process_of_another_namespace_is_not_gone_because_its_number_i
   const auto other = silent(options);
   CatalogWriter writer(folder.path());
   EXPECT_EQ(writer.register_study("s", "S", jobs, false).running_elsewhere, 1);
-  EXPECT_FALSE(writer.claim(jobs[0].key));
+  EXPECT_FALSE(writer.reserve(jobs[0].key));
   const auto state = read_state(folder.path());
   EXPECT_EQ(state.running.at(0).gone, "");
   EXPECT_THAT(state.running.at(0).last_sign, testing::HasSubstr("T"));
@@ -396,7 +396,7 @@ TEST_F(Machines, nor_one_of_another_boot_of_a_host_with_this_name) {
 TEST_F(Machines, one_that_gives_signs_of_life_keeps_its_job_whatever_the_clocks_say) {
   CatalogWriter other(folder.path(), machine("a"));
   other.register_study("s", "S", jobs, false);
-  ASSERT_TRUE(other.claim(jobs[0].key));
+  ASSERT_TRUE(other.reserve(jobs[0].key));
   CatalogWriter writer(folder.path(), machine("b"));
   SQLite::Database db((folder.path() / "catalog.db").string(), SQLite::OPEN_READWRITE, 5000);
   const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1200);
@@ -413,22 +413,22 @@ TEST_F(Machines, one_that_is_silent_loses_its_job_and_learns_it) {
   CatalogWriter writer(folder.path(), machine("b"));
   EXPECT_TRUE(gets_the_job(writer, std::chrono::seconds(5)));
   EXPECT_FALSE(other->holds(jobs[0].key));
-  EXPECT_FALSE(other->finish(finished(jobs[0])));
-  EXPECT_TRUE(writer.finish(finished(jobs[0])));
+  EXPECT_FALSE(other->complete(finished(jobs[0])));
+  EXPECT_TRUE(writer.complete(finished(jobs[0])));
   EXPECT_EQ(count("events WHERE to_status = 'done'"), 1);
 }
 
 TEST_F(Machines, a_runner_is_told_at_its_next_sign_of_life_which_jobs_it_has_lost) {
   CatalogWriter other(folder.path(), machine("a"));
   other.register_study("s", "S", jobs, false);
-  ASSERT_TRUE(other.claim(jobs[0].key));
+  ASSERT_TRUE(other.reserve(jobs[0].key));
   EXPECT_FALSE(other.lost(jobs[0].key));
   SQLite::Database((folder.path() / "catalog.db").string(), SQLite::OPEN_READWRITE, 5000)
       .exec("UPDATE job SET status = 'planned', runner_id = NULL");
   for (int i = 0; i < 500 && !other.lost(jobs[0].key); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_TRUE(other.lost(jobs[0].key));
-  EXPECT_TRUE(other.claim(jobs[0].key));
+  EXPECT_TRUE(other.reserve(jobs[0].key));
   EXPECT_FALSE(other.lost(jobs[0].key));
 }
 
@@ -441,7 +441,7 @@ TEST(Heartbeats, silence_is_counted_on_ones_own_clock_since_the_sign_last_change
   EXPECT_EQ(heartbeats.silence(7, "a", 15, start + 10s), 10);
   EXPECT_EQ(heartbeats.silence(7, "b", 15, start + 15s), 0);
   EXPECT_EQ(heartbeats.silence(8, "a", 15, start + 15s), 0);  // another runner
-  // This process was stopped, or the share hung: others had no time to say anything either.
+  // This process was stopped, or the share hung: others could not give a sign of life either.
   EXPECT_EQ(heartbeats.silence(7, "b", 15, start + 1000s), 15);
   EXPECT_EQ(heartbeats.silence(7, "b", 15, start + 1001s), 16);
 }
@@ -499,8 +499,8 @@ TEST_F(Writer, readers_see_whole_rows_while_it_writes) {
     }
   });
   for (const auto& job : jobs) {
-    ASSERT_TRUE(writer.claim(job.key));
-    writer.finish(finished(job));
+    ASSERT_TRUE(writer.reserve(job.key));
+    writer.complete(finished(job));
   }
   writer.flush();
   over = true;

@@ -143,8 +143,8 @@ TEST_F(Verbs, damaged_files_are_made_again) {
   EXPECT_EQ(verb({"verify", "0", "--files"}), 0) << output;
 }
 
-// A disk that loses a bit changes neither size nor time: no run looks, verify does, and the next run then
-// mends it.
+// A disk that changes a bit changes neither size nor time: no run sees it, verify does, and the next run
+// then makes the file again.
 TEST_F(Verbs, a_file_that_rotted_is_made_again_after_verify) {
   const auto rows = rows_of(results);
   const auto path = fs::path(results) / text("SELECT path FROM snapshots LIMIT 1");

@@ -21,17 +21,17 @@ namespace fs = std::filesystem;
 
 class MemoryLedger : public Ledger {
  public:
-  JobClaim claim(const std::string& key) override {
+  JobReservation reserve(const std::string& key) override {
     std::lock_guard lock(mutex);
     if (refuse == key) return {false, refusals-- > 0 ? JobStatus::running : JobStatus::done};
-    claimed.push_back(key);
+    reserved.push_back(key);
     return {true, JobStatus::running, crashes[key]};
   }
   std::int64_t crashed(const std::string& key) override {
     std::lock_guard lock(mutex);
     return ++crashes[key];
   }
-  bool finish(FinishedJob job) override {
+  bool complete(FinishedJob job) override {
     std::lock_guard lock(mutex);
     if (disk_full) throw std::runtime_error("disk full");
     if (taken_up == job.key) return false;
@@ -51,7 +51,7 @@ class MemoryLedger : public Ledger {
   int refusals = 0;              // for which another process runs it; then it has decided it
   std::map<std::string, std::int64_t> crashes;
   bool disk_full = false;
-  std::vector<std::string> claimed, released;
+  std::vector<std::string> reserved, released;
   std::map<std::string, FinishedJob> finished;
 };
 
@@ -75,7 +75,7 @@ class ExecutorTest : public testing::Test {
 TEST_F(ExecutorTest, longest_first_and_equal_ones_in_order) {
   std::vector<Job> jobs = {fakes::job(1, 2), fakes::job(2, 9), fakes::job(3, 2), fakes::job(4, 5)};
   EXPECT_EQ(run(jobs, fake).done, 4);
-  EXPECT_EQ(ledger.claimed, (std::vector{fakes::key(2), fakes::key(4), fakes::key(1), fakes::key(3)}));
+  EXPECT_EQ(ledger.reserved, (std::vector{fakes::key(2), fakes::key(4), fakes::key(1), fakes::key(3)}));
 }
 
 TEST_F(ExecutorTest, writes_snapshots_and_measures) {
@@ -229,7 +229,7 @@ TEST_F(ExecutorTest, retries_as_often_as_told) {
   const auto failures = std::make_shared<std::atomic<int>>(2);
   auto report = run(fakes::plan(3).jobs, FailsAtFirst{failures});
   EXPECT_EQ(report.done, 3);
-  EXPECT_EQ(std::ranges::count(ledger.claimed, fakes::key(2)), 3);
+  EXPECT_EQ(std::ranges::count(ledger.reserved, fakes::key(2)), 3);
   *failures = 3;
   report = run(fakes::plan(3).jobs, FailsAtFirst{failures});
   EXPECT_EQ(report.failed, 1);
@@ -403,7 +403,7 @@ TEST(Signals, the_first_asks) {
   EXPECT_EQ(signal_flag().signal(), SIGTERM);
 }
 
-TEST(Signals, one_wish_may_come_twice_and_the_kernel_repeats_its_own) {
+TEST(Signals, one_request_may_come_twice_and_the_kernel_repeats_its_own) {
   const SignalGuard guard;
   for (const int number : {SIGTERM, SIGTERM, SIGHUP}) std::raise(number);
   EXPECT_EQ(signal_flag().signal(), SIGTERM);

@@ -1,4 +1,4 @@
-// What is told to people, under a clock that the test winds.
+// What is printed for people, with a clock that the test sets.
 #include <gmock/gmock.h>
 
 #include <sstream>

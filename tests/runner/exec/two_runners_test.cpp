@@ -107,7 +107,7 @@ TEST_F(TwoRunners, are_not_in_the_way_of_readers) {
 }
 
 TEST_F(TwoRunners, do_not_wait_for_a_reader_that_never_ends) {
-  // Opened when the runners have been forked: SQLite is not to be carried into a child.
+  // Opened when the runners have been forked: an SQLite connection must not be used after a fork.
   std::optional<SQLite::Database> db;
   std::optional<SQLite::Statement> reading;
   run_both([&] {

@@ -53,11 +53,11 @@ inline void put(CatalogWriter& writer, const Study& study, const std::vector<mpm
   const Plan plan = make_plan(study);
   writer.register_study(study.name, study.title, plan.jobs, false);
   for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
-    writer.claim(plan.jobs[i].key);
+    writer.reserve(plan.jobs[i].key);
     FinishedJob done;
     done.key = plan.jobs[i].key;
     done.result = results.at(i);
-    writer.finish(done);
+    writer.complete(done);
   }
   writer.flush();
 }

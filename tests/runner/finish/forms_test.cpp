@@ -166,7 +166,7 @@ TEST_F(Forms, AClaimIsJudgedOnOtherCells) {
               testing::ContainsRegex("^(holds|not decided at these cells): .* GPa"));
 }
 
-// A catalog knows where a file was. One that is sorted into a folder below is still the study's.
+// A catalog records where a file was. One that was moved into a folder below is still the study's.
 TEST_F(Forms, AFileThatWasMovedIntoAFolderIsFound) {
   const fs::path t = write("T.toml", study_text("t")), below = t.parent_path() / "below";
   ASSERT_EQ(run("run -q --cells 1.4 " + t.string(), printed), 0) << printed;

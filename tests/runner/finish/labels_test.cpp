@@ -9,7 +9,7 @@ namespace mpmstudy {
 namespace {
 
 std::string label(const char* name, double largest, const char* unit = "1") {
-  const analysis::Quantity quantity = label_of(name, unit);
+  const analysis::QuantityLabel quantity = label_of(name, unit);
   return analysis::axis_label(quantity, analysis::display_unit(quantity.unit, largest));
 }
 

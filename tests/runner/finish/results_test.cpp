@@ -149,7 +149,7 @@ TEST_F(Results, ANumberWithoutAMeaningIsFlaggedAndLeftOut) {
   EXPECT_THAT(left_out(study, found), SizeIs(3));
 }
 
-// Trial 25: 3000 m/s gave 0.15 +- 5.9 without a word, and `collapsed` beside it.
+// Trial 25: 3000 m/s gave 0.15 +- 5.9 without a warning, and `collapsed` beside it.
 TEST_F(Results, AnIntervalThatLeavesAllOpenAndAnOutcomeThatContradictsItsNumbersAreFlagged) {
   Study study = made_study("open", {}, {"cavity_radius"});
   for (int i = 0; i < 6; ++i) study.scenes.push_back(fakes::scene(1e-6 + i * 0.1e-6));
@@ -235,11 +235,11 @@ TEST_F(Results, ADoubtfulBracketIsLeftOutAndAFlaggedOneSaid) {
   // Where no bracket is left there is no fit, and that is said.
   StudyResults none = found;
   std::erase_if(none.done, [](const JobResults& bracket) { return !is_doubtful(bracket.flags); });
-  EXPECT_THAT(fit_study(study, none).problems, SizeIs(1));
+  EXPECT_THAT(fit_study(study, none).not_made, SizeIs(1));
   study.fits = {{"cavity_radius", "critical_speed_extrapolated", "linear"}};
-  EXPECT_THAT(fit_study(study, none).problems, SizeIs(0)) << "one cell gives no value for cells of size 0";
-  for (JobResults& bracket : none.done) bracket.extrapolated = Measured{400, 10};
-  EXPECT_THAT(fit_study(study, none).problems, SizeIs(1));
+  EXPECT_THAT(fit_study(study, none).not_made, SizeIs(0)) << "one cell gives no value for cells of size 0";
+  for (JobResults& bracket : none.done) bracket.extrapolated = ValueWithError{400, 10};
+  EXPECT_THAT(fit_study(study, none).not_made, SizeIs(1));
   study.fits = {};
   EXPECT_THAT(left_out(study, found), SizeIs(0)) << "nothing is made of them";
 }

@@ -37,11 +37,11 @@ class Claims : public testing::Test {
     say(study, jobs);
     writer.register_study(study, study, jobs, false);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      writer.claim(jobs[i].key);
+      writer.reserve(jobs[i].key);
       FinishedJob done;
       done.key = jobs[i].key;
       done.result = results[i];
-      writer.finish(done);
+      writer.complete(done);
     }
     writer.flush();
   }
@@ -58,7 +58,7 @@ class Claims : public testing::Test {
            const std::vector<mpm::Snapshot>& snapshots) {
     say(study, {job});
     writer.register_study(study, study, {job}, false);
-    writer.claim(job.key);
+    writer.reserve(job.key);
     FinishedJob done;
     done.key = job.key;
     done.result = std::move(result);
@@ -67,7 +67,7 @@ class Claims : public testing::Test {
       mpm::write_vtkhdf(folder.path() / path, s);
       done.snapshots.push_back({s.time, 0, path, 0, {}});
     }
-    writer.finish(done);
+    writer.complete(done);
     writer.flush();
   }
   static mpm::RunResult with(double collapsibility, std::vector<mpm::Metric> metrics = {},

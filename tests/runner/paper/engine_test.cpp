@@ -1,5 +1,5 @@
-// The engine knows no paper: apart from main.cpp, which joins them, runner/ outside runner/paper includes
-// nothing of it and names none of its figures, claims and studies.
+// The engine does not depend on the paper: apart from main.cpp, which joins them, runner/ outside
+// runner/paper includes nothing of it and names none of its figures, claims and studies.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -45,12 +45,12 @@ TEST(Engine, NamesNothingOfThePaper) {
   EXPECT_GT(files, 150);
 }
 
-// `claim` is a word of the catalog alone: of its view `claims`, and of a job that is claimed by a process.
+// `claim` is a word of the catalog alone: of its view `claims`.
 TEST(Engine, HasNoClaims) {
   const std::regex claims(R"(\b[cC]laims?\b)");
   const fs::path runner = fs::path(SOURCE_DIR) / "runner";
   for (const char* folder :
-       {"cli", "finish", "ladder", "plan", "search", "slurm", "status", "study", "bench"})
+       {"cli", "exec", "finish", "ladder", "plan", "search", "slurm", "status", "study", "bench"})
     for (const auto& entry : fs::recursive_directory_iterator(runner / folder)) {
       std::ifstream file(entry.path());
       for (std::string line; std::getline(file, line);)

@@ -1,5 +1,5 @@
-// What jobs will cost: is a made-up law found again, does the interval hold as often as it says, and is
-// nothing promised that is not known?
+// What jobs will cost: is a made-up law found again, does the interval hold as often as it says, and is there
+// no interval where nothing is known?
 #include "runner/plan/cost_model.hpp"
 
 #include <gmock/gmock.h>

@@ -6,7 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "runner/search/extrapolate.hpp"
+#include "runner/search/critical_value.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -27,15 +27,15 @@ int run(BracketSearch& search, const Truth& truth, int most) {
   return tried;
 }
 
-TEST(Lattice, StepsAreWithinTheToleranceAndEndsAreHit) {
-  const Lattice lattice(200, 2000, 10);
-  EXPECT_EQ(lattice.intervals, 180);
-  EXPECT_EQ(lattice.value(0), 200);
-  EXPECT_EQ(lattice.value(180), 2000);
-  EXPECT_EQ(lattice.value(1), 210);
-  EXPECT_EQ(lattice.index(214), 1);
-  EXPECT_EQ(lattice.index(1e9), 180);
-  EXPECT_EQ(Lattice(0, 1, 0.3).intervals, 4);
+TEST(SearchValues, StepsAreWithinTheToleranceAndEndsAreHit) {
+  const SearchValues values(200, 2000, 10);
+  EXPECT_EQ(values.intervals, 180);
+  EXPECT_EQ(values.value(0), 200);
+  EXPECT_EQ(values.value(180), 2000);
+  EXPECT_EQ(values.value(1), 210);
+  EXPECT_EQ(values.index(214), 1);
+  EXPECT_EQ(values.index(1e9), 180);
+  EXPECT_EQ(SearchValues(0, 1, 0.3).intervals, 4);
 }
 
 TEST(BracketSearch, FindsEveryCriticalValueWithAnyWidthOfRounds) {
@@ -46,7 +46,7 @@ TEST(BracketSearch, FindsEveryCriticalValueWithAnyWidthOfRounds) {
       ASSERT_TRUE(search.bracket()) << critical << ' ' << most;
       EXPECT_EQ(search.bracket()->lower, critical - 1);
       EXPECT_EQ(search.bracket()->upper, critical);
-      EXPECT_EQ(search.flags(Lattice(0, 64, 1), "m/s"), "");
+      EXPECT_EQ(search.flags(SearchValues(0, 64, 1), "m/s"), "");
     }
 }
 
@@ -102,17 +102,17 @@ TEST(BracketSearch, SaysWhereThereIsNoEnd) {
   run(high, from(21), 1);
   EXPECT_FALSE(low.bracket());
   EXPECT_FALSE(high.bracket());
-  EXPECT_EQ(low.flags(Lattice(0, 20, 1), "m/s"), "no lower end");
-  EXPECT_EQ(high.flags(Lattice(0, 20, 1), "m/s"), "no upper end");
+  EXPECT_EQ(low.flags(SearchValues(0, 20, 1), "m/s"), "no lower end");
+  EXPECT_EQ(high.flags(SearchValues(0, 20, 1), "m/s"), "no upper end");
 }
 
 TEST(BracketSearch, FlagsWhatFlipsBackWhatFailedAndWhatIsUndecided) {
-  const Lattice lattice(0, 200, 10);
+  const SearchValues values(0, 200, 10);
   BracketSearch flips(20);
   flips.tell(4, Verdict::below);
   flips.tell(5, Verdict::above);
   flips.tell(9, Verdict::below);
-  EXPECT_EQ(flips.flags(lattice, "m/s"), "flips back at 90 m/s");
+  EXPECT_EQ(flips.flags(values, "m/s"), "flips back at 90 m/s");
   EXPECT_EQ(flips.bracket()->upper, 5);
 
   BracketSearch broken(20);
@@ -120,18 +120,18 @@ TEST(BracketSearch, FlagsWhatFlipsBackWhatFailedAndWhatIsUndecided) {
       broken, [](int i) { return i == 10 ? Verdict::broken : from(12)(i); }, 1);
   EXPECT_EQ(broken.bracket()->lower, 11);
   EXPECT_EQ(broken.bracket()->upper, 12);
-  EXPECT_EQ(broken.flags(lattice, "m/s"), "failed at 100 m/s");
+  EXPECT_EQ(broken.flags(values, "m/s"), "failed at 100 m/s");
 
   BracketSearch undecided(20);
   run(
       undecided, [](int i) { return i == 7 ? Verdict::undecided : from(8)(i); }, 3);
-  EXPECT_EQ(undecided.flags(lattice, "m/s"), "lower end undecided");
+  EXPECT_EQ(undecided.flags(values, "m/s"), "lower end undecided");
 }
 
-TEST(Lattice, RefusesMoreStepsThanAnySearchNeeds) {
-  EXPECT_EQ(Lattice(0, 100'000, 1).intervals, 100'000);
-  EXPECT_THROW(Lattice(200, 2000, 1e-6), std::invalid_argument);
-  EXPECT_THROW(Lattice(200, 2000, 1e-300), std::invalid_argument);
+TEST(SearchValues, RefusesMoreStepsThanAnySearchNeeds) {
+  EXPECT_EQ(SearchValues(0, 100'000, 1).intervals, 100'000);
+  EXPECT_THROW(SearchValues(200, 2000, 1e-6), std::invalid_argument);
+  EXPECT_THROW(SearchValues(200, 2000, 1e-300), std::invalid_argument);
 }
 
 // Runs fail from one value on, or up to one: the critical value is looked for where they do not.
@@ -146,7 +146,7 @@ TEST(BracketSearch, TriesTheOtherEndWhereRunsFailAtOne) {
         EXPECT_LT(run(guessed, truth, most), 40);
         for (const auto* one : {&search, &guessed}) {
           ASSERT_TRUE(one->bracket())
-              << critical << ' ' << most << ' ' << one->flags(Lattice(0, 180, 1), "m/s");
+              << critical << ' ' << most << ' ' << one->flags(SearchValues(0, 180, 1), "m/s");
           EXPECT_EQ(one->bracket()->upper, critical);
           EXPECT_EQ(one->bracket()->lower, critical - 1);
         }
@@ -159,13 +159,13 @@ TEST(BracketSearch, EndsWhereRunsHaveNoVerdict) {
   EXPECT_LE(run(
                 none, [](int) { return Verdict::broken; }, 1),
             9);
-  EXPECT_THAT(none.flags(Lattice(0, 100'000, 1), "m/s"),
+  EXPECT_THAT(none.flags(SearchValues(0, 100'000, 1), "m/s"),
               testing::StartsWith("no run has a verdict; failed at 0 m/s; "));
   BracketSearch low(100'000);  // what runs is below
   EXPECT_LE(run(
                 low, [](int i) { return i > 12'345 ? Verdict::broken : Verdict::below; }, 1),
             40);
-  EXPECT_THAT(low.flags(Lattice(0, 100'000, 1), "m/s"), testing::StartsWith("no upper end; failed at "));
+  EXPECT_THAT(low.flags(SearchValues(0, 100'000, 1), "m/s"), testing::StartsWith("no upper end; failed at "));
   BracketSearch gap(100'000);  // all that lies between the verdicts fails
   EXPECT_LE(run(
                 gap,
@@ -181,23 +181,23 @@ TEST(BracketSearch, EndsWhereRunsHaveNoVerdict) {
 
 TEST(Extrapolate, IsExactForFirstOrderAndCoversTheWayAndTheWidths) {
   const CellBracket cells[] = {{0.4, 535, 545}, {0.2, 515, 525}, {0.1, 505, 515}};  // 500 + 100 h
-  const auto e = extrapolate(cells);
+  const auto e = critical_value_at_cell_0(cells);
   ASSERT_TRUE(e);
   EXPECT_NEAR(e->value, 500, 1e-9);
   EXPECT_NEAR(e->interval, 10 + 15, 1e-9);  // the way, and 5 * 2 + 5 * 1
-  EXPECT_FALSE(extrapolate(std::span(cells, 1)));
+  EXPECT_FALSE(critical_value_at_cell_0(std::span(cells, 1)));
   // The last step is small after a large one: half of that one stays in doubt.
   const CellBracket sudden[] = {{0.4, 700, 700}, {0.2, 500, 500}, {0.1, 490, 490}};
-  EXPECT_NEAR(extrapolate(sudden)->value, 480, 1e-9);
-  EXPECT_NEAR(extrapolate(sudden)->interval, 100, 1e-9);
+  EXPECT_NEAR(critical_value_at_cell_0(sudden)->value, 480, 1e-9);
+  EXPECT_NEAR(critical_value_at_cell_0(sudden)->interval, 100, 1e-9);
   // Cells that do not come closer: the finest, and the last difference is in doubt.
   const CellBracket wild[] = {{0.4, 500, 500}, {0.2, 510, 510}, {0.1, 540, 540}};
-  EXPECT_NEAR(extrapolate(wild)->value, 540, 1e-9);
-  EXPECT_NEAR(extrapolate(wild)->interval, 30, 1e-9);
+  EXPECT_NEAR(critical_value_at_cell_0(wild)->value, 540, 1e-9);
+  EXPECT_NEAR(critical_value_at_cell_0(wild)->interval, 30, 1e-9);
   // Cells that turn: the finest, and all that they differ by.
   const CellBracket turning[] = {{0.4, 500, 500}, {0.2, 450, 450}, {0.1, 480, 480}};
-  EXPECT_NEAR(extrapolate(turning)->value, 480, 1e-9);
-  EXPECT_NEAR(extrapolate(turning)->interval, 50, 1e-9);
+  EXPECT_NEAR(critical_value_at_cell_0(turning)->value, 480, 1e-9);
+  EXPECT_NEAR(critical_value_at_cell_0(turning)->interval, 50, 1e-9);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // A search against a real catalog and a fake simulation whose critical speed is known: the same brackets for
-// any number of workers and after a stop, no speed twice, neighbours and cells that help each other, and the
-// audit.
+// any number of workers and after a stop, no speed twice, searches that begin from neighbours and coarser
+// cells, and the audit.
 #include "runner/exec/run_studies.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -132,7 +132,7 @@ TEST_F(SearchStudy, BracketsHoldTheCriticalSpeedAndNameTheirProofs) {
     EXPECT_EQ(b.flags, "");
     if (b.point.cell < 0.15e-6) finest += b.runs;
   }
-  EXPECT_LE(finest, 5 * 6) << "at most six runs a point on the finest cell, on average";
+  EXPECT_LE(finest, 5 * 6) << "at most six runs per point on the finest cell, on average";
   const auto proofs =
       query(folder.path(),
             "SELECT l.outcome, u.outcome, l.impact_speed_m_s = c.lower_m_s, u.impact_speed_m_s = "
@@ -307,7 +307,7 @@ TEST_F(SearchStudy, OfAYieldStressIsFiledFittedAndDrawnInPascals) {
   const StudyResults results = read_results(study, folder.path());
   EXPECT_EQ(results.missing, 0u);
   const Fits fits = fit_study(study, results);
-  EXPECT_TRUE(fits.problems.empty());
+  EXPECT_TRUE(fits.not_made.empty());
   ASSERT_EQ(fits.rows.size(), 4u) << "a line for each radius";
   EXPECT_EQ(fits.rows[1].quantity, "critical_yield_stress");
   EXPECT_EQ(fits.rows[1].unit, "Pa/(m/s)");
@@ -321,7 +321,7 @@ TEST_F(SearchStudy, OfAYieldStressIsFiledFittedAndDrawnInPascals) {
   EXPECT_THAT(drawn.str(), testing::HasSubstr("GPa"));
 }
 
-// Trial 12: the lattice of a search gave 1.2999999999999998e-06, a length that is made of others
+// Trial 12: the values of a search gave 1.2999999999999998e-06, a length that is made of others
 // 4.000000000000001e-06.
 TEST_F(SearchStudy, WhatIsComputedIsFoundAsItWouldBeWritten) {
   study_text = with(with(text, "cavity_radius", "impact_speed = \"500 m/s\""), "wall_thickness",

@@ -1,4 +1,4 @@
-// The scripts that Slurm runs: good shell, whatever names they hold, and no option that makes others wait.
+// The scripts that Slurm runs: valid shell, whatever names they hold, and no option that makes others wait.
 #include "runner/slurm/script.hpp"
 
 #include <gmock/gmock.h>

@@ -120,14 +120,14 @@ cell_size = "0.5 um"
   return texts;
 }
 
-struct Measured {
+struct ValueWithError {
   mpm::Scene scene;
   mpm::RunResult result;
 };
 
-const std::map<std::string, Measured>& runs() {
+const std::map<std::string, ValueWithError>& runs() {
   static const auto all = [] {
-    std::map<std::string, Measured> done;
+    std::map<std::string, ValueWithError> done;
     for (const auto& [name, text] : studies()) {
       const mpm::Scene scene = read_text(text).scenes.at(0);
       done[name] = {scene, mpm::run(scene)};

@@ -1,4 +1,4 @@
-/// The pages of studies/ tell the truth: their table of parameters is the one of libmpm, and they name every
+/// The pages of studies/ are up to date: their table of parameters is the one of libmpm, and they name every
 /// key.
 #include <gtest/gtest.h>
 

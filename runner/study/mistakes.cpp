@@ -1,4 +1,4 @@
-#include "runner/study/problems.hpp"
+#include "runner/study/mistakes.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,26 +8,26 @@
 
 namespace mpmstudy {
 
-void Problems::add(const Place& place, std::string_view key, std::string_view value, const Refusal& refusal) {
+void Mistakes::add(const Place& place, std::string_view key, std::string_view value, const Refusal& refusal) {
   std::string odd = odd_character(value);
   if (odd.empty()) odd = odd_character(key);
   keep(place, std::string(key) + " = " + std::string(value) + ": " + refusal.wrong +
                   (odd.empty() ? "" : " (it " + odd + ")") + "; " + refusal.allowed);
 }
 
-void Problems::add(const Place& place, std::string_view key, const Refusal& refusal) {
+void Mistakes::add(const Place& place, std::string_view key, const Refusal& refusal) {
   const std::string odd = odd_character(key);
   keep(place, std::string(key) + ": " + refusal.wrong + (odd.empty() ? "" : " (it " + odd + ")") + "; " +
                   refusal.allowed);
 }
 
-void Problems::keep(const Place& place, std::string text) {
+void Mistakes::keep(const Place& place, std::string text) {
   text = printable(place.text() + ": " + text);
   const auto same = [&](const Line& line) { return line.text == text; };
   if (std::none_of(lines_.begin(), lines_.end(), same)) lines_.push_back({place, std::move(text)});
 }
 
-void Problems::throw_if_any() const {
+void Mistakes::throw_if_any() const {
   if (lines_.empty()) return;
   std::vector<Line> sorted = lines_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Line& a, const Line& b) {

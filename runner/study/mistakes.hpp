@@ -14,7 +14,7 @@ struct Refusal {
   std::string allowed;
 };
 
-class Problems {
+class Mistakes {
  public:
   /// "place: key = value: wrong; allowed". The same line is kept once.
   void add(const Place&, std::string_view key, std::string_view value, const Refusal&);

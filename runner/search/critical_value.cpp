@@ -1,11 +1,11 @@
-#include "runner/search/extrapolate.hpp"
+#include "runner/search/critical_value.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace mpmstudy {
 
-std::optional<Extrapolated> extrapolate(std::span<const CellBracket> cells) {
+std::optional<CriticalValue> critical_value_at_cell_0(std::span<const CellBracket> cells) {
   if (cells.size() < 2) return std::nullopt;
   const CellBracket &fine = cells[cells.size() - 1], &coarse = cells[cells.size() - 2];
   const double slope = fine.cell / (coarse.cell - fine.cell);
@@ -22,12 +22,12 @@ std::optional<Extrapolated> extrapolate(std::span<const CellBracket> cells) {
       doubt = std::abs(last);
     } else if (way == 0) {
       doubt = std::abs(before);
-    } else {  // closer than first order on halved cells would be may be luck
+    } else {  // closer than first order on halved cells may be chance
       doubt = std::max(doubt, 0.5 * std::abs(before));
     }
   }
   const double widths = fine.half_width() * (1 + slope) + coarse.half_width() * slope;
-  return Extrapolated{fine.middle() + way, doubt + widths};
+  return CriticalValue{fine.middle() + way, doubt + widths};
 }
 
 }  // namespace mpmstudy

@@ -13,7 +13,7 @@ struct CellBracket {
   double half_width() const { return 0.5 * (upper - lower); }
 };
 
-struct Extrapolated {
+struct CriticalValue {
   double value = 0;
   double interval = 0;  ///< half width
 };
@@ -23,6 +23,6 @@ struct Extrapolated {
 /// what the widths of the brackets leave open, with three cells at least half of the difference before the
 /// last. Where three cells do not come closer, the value is that of the finest and the half width the last
 /// difference; where they turn, the larger difference. Empty for less than two cells. `cells`: coarse first.
-std::optional<Extrapolated> extrapolate(std::span<const CellBracket> cells);
+std::optional<CriticalValue> critical_value_at_cell_0(std::span<const CellBracket> cells);
 
 }  // namespace mpmstudy
