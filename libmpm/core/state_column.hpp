@@ -27,10 +27,9 @@ constexpr int numbers_in(StateForm form, int axes) {
   return 0;
 }
 
-/// Every number of it is 0 in material at rest.
+/// In SI units; every number of it is 0 in material at rest.
 struct StateColumn {
   std::string_view name;  ///< "plastic_strain"
-  std::string_view unit;  ///< SI, "1" for a pure number
   StateForm form = StateForm::number;
 };
 

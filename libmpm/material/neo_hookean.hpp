@@ -9,8 +9,7 @@
 namespace mpm {
 
 /// b - 1, of b = F F^T: the left Cauchy-Green tensor without the 1, so that small strains keep their digits.
-inline constexpr StateColumn left_cauchy_green_column{"left_cauchy_green_less_one", "1",
-                                                      StateForm::symmetric};
+inline constexpr StateColumn left_cauchy_green_column{"left_cauchy_green_less_one", StateForm::symmetric};
 
 /// A compressible neo-Hookean solid, elastic at any strain, with J = det F:
 ///   J sigma = lambda ln J 1 + mu (b - 1)      [Pa],   b <- (1 + dt L) b (1 + dt L)^T

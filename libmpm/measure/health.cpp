@@ -95,13 +95,25 @@ std::span<const ResultRow> BasicHealth<axes>::results() {
   return rows;
 }
 
+namespace {
+
+/// Over the materials of a scene.
+template <class Value>
+double largest_of(const Scene& s, const Value& value) {
+  double largest = 0;
+  for (std::size_t m = 0; m < material_count(s); ++m) largest = std::max(largest, value(material_of(s, m)));
+  return largest;
+}
+
+}  // namespace
+
 template <int axes>
 BasicHealth<axes>::BasicHealth(const Scene& scene, const State& s, double speed)
     : initial_energy_(energy_of(s.particles).total()),
       mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
-      pressure_limit_(scene.material.pressure_limit),
+      pressure_limit_(largest_of(scene, [](const Material& m) { return m.pressure_limit; })),
       cell_(s.grid.cell().minCoeff()),
-      largest_signal_(largest_signal_growth * (sound_speed_at_rest(scene.material) + speed)) {}
+      largest_signal_(largest_signal_growth * (largest_of(scene, sound_speed_at_rest) + speed)) {}
 
 template <int axes>
 void BasicHealth<axes>::after_step(const State&, const StepReport& report, double dt) {

@@ -37,6 +37,22 @@ void check_model(const Scene& s, Report& report) {
   }
 }
 
+/// How the constants of a material go together.
+void check_material(const Material& m, Report& report) {
+  report.require(m.poissons_ratio < 0.5, "poissons_ratio", "0 or more, less than 0.5");
+  if (m.law == MaterialLaw::solid && m.eos == EquationOfState::stiffened_gas)
+    report.require(m.adiabatic_index > 1, "adiabatic_index", "more than 1 with eos = \"stiffened-gas\"");
+  if (m.law == MaterialLaw::solid && m.strength == StrengthModel::johnson_cook) {
+    report.require(m.rate_hardening == 0 || m.reference_strain_rate > 0, "reference_strain_rate",
+                   "more than 0 with a rate_hardening");
+    report.require(m.softening_exponent == 0 || m.melting_temperature > m.initial_temperature,
+                   "melting_temperature", "above initial_temperature with a softening_exponent");
+  }
+  report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");
+  report.require(m.hardening_measure != HardeningMeasure::tangent || m.hardening_modulus < m.youngs_modulus,
+                 "hardening_modulus", "less than youngs_modulus when hardening_measure is \"tangent\"");
+}
+
 void check_numerics(const Scene& s, Report& report) {
   const Numerics& n = s.numerics;
   const int k = n.particles_per_cell;
@@ -66,19 +82,7 @@ void check_numerics(const Scene& s, Report& report) {
     if (n.scheme == ShapeFunction::cpdi)
       report.add_choice("scheme", "\"gimp\", \"bspline2\" or \"bspline3\" when space is \"three-d\"");
   }
-  const Material& m = s.material;
-  report.require(m.poissons_ratio < 0.5, "poissons_ratio", "0 or more, less than 0.5");
-  if (m.law == MaterialLaw::solid && m.eos == EquationOfState::stiffened_gas)
-    report.require(m.adiabatic_index > 1, "adiabatic_index", "more than 1 with eos = \"stiffened-gas\"");
-  if (m.law == MaterialLaw::solid && m.strength == StrengthModel::johnson_cook) {
-    report.require(m.rate_hardening == 0 || m.reference_strain_rate > 0, "reference_strain_rate",
-                   "more than 0 with a rate_hardening");
-    report.require(m.softening_exponent == 0 || m.melting_temperature > m.initial_temperature,
-                   "melting_temperature", "above initial_temperature with a softening_exponent");
-  }
-  report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");
-  report.require(m.hardening_measure != HardeningMeasure::tangent || m.hardening_modulus < m.youngs_modulus,
-                 "hardening_modulus", "less than youngs_modulus when hardening_measure is \"tangent\"");
+  check_material(s.material, report);
 }
 
 /// Words that exclude each other.
@@ -204,6 +208,7 @@ void check_other_materials(const Scene& s, Report& report) {
     Report of_material(alone);
     check_ranges(alone, of_material, [](const Quantity& q) { return q.section == Section::material; });
     check_model(alone, of_material);
+    check_material(m, of_material);
     for (const Problem& problem : of_material.take())
       report.add_other(problem.parameter + " of " + m.name, problem.value, problem.allowed);
   }

@@ -26,7 +26,7 @@ namespace {
 
 bool differs_by_rounding(double a, double b) {
   constexpr double rounding = 1e-12;  // values of a study are written with twelve digits at most
-  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+  return a == b || std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));  // infinite ones, too
 }
 
 /// What jobs have of one swept name: for each job which value, as a number, in JSON, and as a label.

@@ -43,10 +43,11 @@ struct BasicJ2 {
 };
 using J2 = BasicJ2<double>;
 
-/// What plastic materials keep: the equivalent plastic strain, the plastic work per mass, the back stress.
-inline constexpr StateColumn plastic_strain_column{"plastic_strain", "1"};
-inline constexpr StateColumn plastic_work_column{"plastic_work", "J/kg"};
-inline constexpr StateColumn back_stress_column{"back_stress", "Pa", StateForm::deviator};
+/// What plastic materials keep: the equivalent plastic strain [1], the plastic work [J/kg], the back stress
+/// [Pa].
+inline constexpr StateColumn plastic_strain_column{"plastic_strain"};
+inline constexpr StateColumn plastic_work_column{"plastic_work"};
+inline constexpr StateColumn back_stress_column{"back_stress", StateForm::deviator};
 
 /// Places of their numbers.
 enum OwnNumber : int { own_plastic_strain, own_plastic_work, own_back_stress };

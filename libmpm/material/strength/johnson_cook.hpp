@@ -116,7 +116,7 @@ inline constexpr MaterialRow johnson_cook_rows[] = {
      &Material::hardening_exponent, strength_is_johnson_cook, "", Section::material, 0.0},
     {"rate_hardening", "1", "rate_hardening", "C of Johnson-Cook; 0: no effect of the rate",
      Range::non_negative, &Material::rate_hardening, strength_is_johnson_cook, "", Section::material, 0.0},
-    {"reference_strain_rate", "s-1", "reference_strain_rate_s", "rate above which rate_hardening acts",
+    {"reference_strain_rate", "s-1", "reference_strain_rate_per_s", "rate above which rate_hardening acts",
      Range::non_negative, &Material::reference_strain_rate, strength_is_johnson_cook, "", Section::material,
      0.0},
     {"softening_exponent", "1", "softening_exponent", "m of Johnson-Cook; 0: no effect of the temperature",
