@@ -5,7 +5,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/readable.hpp"
-#include "runner/study/search_steps.hpp"
+#include "runner/study/searched.hpp"
 
 namespace mpmstudy {
 

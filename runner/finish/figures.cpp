@@ -16,7 +16,7 @@
 #include "runner/finish/fields.hpp"
 #include "runner/finish/fits.hpp"
 #include "runner/finish/labels.hpp"
-#include "runner/study/critical_names.hpp"
+#include "runner/study/searched.hpp"
 
 namespace mpmstudy {
 namespace {

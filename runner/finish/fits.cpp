@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "libmpm/scene/parameters.hpp"
-#include "runner/study/critical_names.hpp"
+#include "runner/study/searched.hpp"
 
 namespace mpmstudy {
 namespace {

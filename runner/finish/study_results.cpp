@@ -17,7 +17,6 @@
 #include "runner/finish/labels.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
-#include "runner/study/critical_names.hpp"
 #include "runner/study/decimal.hpp"
 #include "runner/study/searched.hpp"
 

@@ -59,7 +59,7 @@ bool is_doubtful(const std::string& flags_of_bracket);
 std::vector<std::string> flagged_brackets(const Study&, const StudyResults&);
 
 /// A result column of the view `jobs`, a name of the view `metrics`, or one of a search
-/// (runner/study/critical_names.hpp); empty where the job has none, or one without a meaning.
+/// (runner/study/searched.hpp); empty where the job has none, or one without a meaning.
 std::optional<ValueWithError> result_of(const StudyResults&, const JobResults&, const std::string& name);
 /// SI unit of such a name: that of the searched quantity, that of the metric, or what the column's name ends
 /// in.

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "runner/study/search_steps.hpp"
+#include "runner/study/searched.hpp"
 
 namespace mpmstudy {
 

@@ -10,7 +10,7 @@
 #include "runner/plan/plan.hpp"
 #include "runner/search/search.hpp"
 #include "runner/search/search_planner.hpp"
-#include "runner/study/search_steps.hpp"
+#include "runner/study/searched.hpp"
 
 namespace mpmstudy {
 namespace {

@@ -11,11 +11,10 @@
 #include "libmpm/measure/results.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 #include "runner/study/characters.hpp"
-#include "runner/study/critical_names.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/readable.hpp"
 #include "runner/study/schema.hpp"
-#include "runner/study/search_steps.hpp"
+#include "runner/study/searched.hpp"
 
 namespace mpmstudy {
 namespace {
