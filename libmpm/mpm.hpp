@@ -1,5 +1,6 @@
 #pragma once
-/// libmpm: a material point simulator for shocked solids in plane strain, in axial symmetry and in three dimensions. Include this.
+/// libmpm: a material point simulator for shocked solids in plane strain, in axial symmetry and in three
+/// dimensions. Include this.
 ///
 ///   Scene        what is simulated, as plain data; example/collapse.cpp
 ///   Simulation   runs it, whole or step by step; example/gauges.cpp, with a body and a measurement of one's

@@ -1,6 +1,6 @@
 #pragma once
 /// The constants of a material as rows of the table of parameters. A model lists those that it reads beside
-/// its formulas; rows.cpp has the list of lists.
+/// its formulas; rows.hpp has the list of lists.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -43,9 +43,5 @@ struct MaterialChoice {
   MaterialUse use{};
   std::string_view implied = "";  ///< see Choice::implied
 };
-
-/// In the order of the table of parameters.
-std::span<const MaterialRow> material_rows();
-std::span<const MaterialChoice> material_choices();
 
 }  // namespace mpm

@@ -1,10 +1,11 @@
 #include "libmpm/scene/effect.hpp"
 
-#include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
-#include "libmpm/material/row.hpp"
+#include "libmpm/material/rows.hpp"
 
 namespace mpm {
 namespace {
@@ -19,15 +20,30 @@ constexpr Condition of_scene[] = {
     {"stop", "decides = \"ejection\"", decides_ejection, zero},
 };
 
+/// Of row number i of `rows`, if it has one.
+template <const auto& rows, std::size_t i>
+void add_condition(std::vector<Condition>& conditions) {
+  if (rows[i].use.when.empty()) return;
+  conditions.push_back({rows[i].name, rows[i].use.when,
+                        [](const Scene& s) { return rows[i].use.holds(s.material); },
+                        [](const Scene&) -> double {
+                          if constexpr (requires { rows[i].implied.has_value(); })
+                            return rows[i].implied.value_or(0);
+                          return 0;
+                        }});
+}
+template <const auto& rows>
+void add_conditions(std::vector<Condition>& conditions) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (add_condition<rows, i>(conditions), ...); }
+  (std::make_index_sequence<rows.size()>());
+}
+
 /// Values of `inert` are those that every job had that named none: their keys stay.
 const std::vector<Condition>& table() {
   static const std::vector<Condition> all = [] {
     std::vector<Condition> conditions(std::begin(of_scene), std::end(of_scene));
-    for (const MaterialRow& row : material_rows())
-      if (!row.use.when.empty())
-        conditions.push_back({row.name, row.use.when, row.use, row.implied.value_or(0)});
-    for (const MaterialChoice& row : material_choices())
-      if (!row.use.when.empty()) conditions.push_back({row.name, row.use.when, row.use, 0.0});
+    add_conditions<material_rows>(conditions);
+    add_conditions<material_choices>(conditions);
     return conditions;
   }();
   return all;

@@ -1,10 +1,13 @@
 #include "libmpm/scene/parameters.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "libmpm/core/enumerators.hpp"
+#include "libmpm/material/rows.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 
 namespace mpm {
@@ -84,22 +87,57 @@ constexpr Choice common_choices[] = {
 };
 #undef CHOICE
 
-Quantity quantity_of(const MaterialRow& row) {
-  return {row.name, row.unit, row.symbol, row.column, row.meaning, row.section, row.range,
-          optional, "",       row,        row,        {},          false,       row.implied};
+/// Row number i of a material's, as one of the scene.
+template <std::size_t i>
+Quantity quantity_of_material() {
+  const MaterialRow& row = material_rows[i];
+  return {row.name,
+          row.unit,
+          row.symbol,
+          row.column,
+          row.meaning,
+          row.section,
+          row.range,
+          optional,
+          "",
+          [](const Scene& s) -> double { return s.material.*material_rows[i].value; },
+          [](Scene& s, double v) { s.material.*material_rows[i].value = v; },
+          {},
+          false,
+          row.implied};
 }
-Choice choice_of(const MaterialChoice& row) {
-  return {row.name, row.name, row.meaning, Section::material, row.allowed, row, row, row.implied};
+template <std::size_t i>
+Choice choice_of_material() {
+  const MaterialChoice& row = material_choices[i];
+  return {row.name,
+          row.name,
+          row.meaning,
+          Section::material,
+          row.allowed,
+          [](const Scene& s) { return material_choices[i].get(s.material); },
+          [](Scene& s, std::size_t v) { material_choices[i].set(s.material, v); },
+          row.implied};
 }
 
 /// What all scenes have, in the order of the sections.
-template <class Row, class MaterialRows>
-std::vector<Row> common_rows(std::span<const Row> own, const MaterialRows& of_material,
-                             Row (*row_of)(const typename MaterialRows::value_type&)) {
+template <class Row>
+std::vector<Row> common_rows(std::span<const Row> own, std::initializer_list<Row> of_material) {
   std::vector<Row> rows(own.begin(), own.end());
-  for (const auto& row : of_material) rows.push_back(row_of(row));
+  rows.insert(rows.end(), of_material);
   std::ranges::stable_sort(rows, {}, &Row::section);
   return rows;
+}
+std::vector<Quantity> all_common_quantities() {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return common_rows<Quantity>(common_quantities, {quantity_of_material<i>()...});
+  }
+  (std::make_index_sequence<material_rows.size()>());
+}
+std::vector<Choice> all_common_choices() {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return common_rows<Choice>(common_choices, {choice_of_material<i>()...});
+  }
+  (std::make_index_sequence<material_choices.size()>());
 }
 
 template <class Rows>
@@ -139,13 +177,11 @@ std::vector<Row> table_of(const std::vector<Row>& common, std::span<const Row> K
 }
 
 const std::vector<Quantity>& quantity_table() {
-  static const auto table = table_of<Quantity>(
-      common_rows<Quantity>(common_quantities, material_rows(), quantity_of), &Kind::quantities);
+  static const auto table = table_of(all_common_quantities(), &Kind::quantities);
   return table;
 }
 const std::vector<Choice>& choice_table() {
-  static const auto table =
-      table_of<Choice>(common_rows<Choice>(common_choices, material_choices(), choice_of), &Kind::choices);
+  static const auto table = table_of(all_common_choices(), &Kind::choices);
   return table;
 }
 
@@ -159,29 +195,6 @@ const std::vector<std::string_view>& kind_names() {
 }
 
 }  // namespace
-
-template <>
-double Access<double, MaterialRow>::operator()(const Scene& s) const {
-  return row_ ? s.material.*row_->value : of_(s);
-}
-template <>
-void Change<double, MaterialRow>::operator()(Scene& s, double v) const {
-  if (row_)
-    s.material.*row_->value = v;
-  else
-    to_(s, v);
-}
-template <>
-std::size_t Access<std::size_t, MaterialChoice>::operator()(const Scene& s) const {
-  return row_ ? row_->get(s.material) : of_(s);
-}
-template <>
-void Change<std::size_t, MaterialChoice>::operator()(Scene& s, std::size_t v) const {
-  if (row_)
-    row_->set(s.material, v);
-  else
-    to_(s, v);
-}
 
 std::span<const Quantity> quantities() { return quantity_table(); }
 std::span<const Choice> choices() { return choice_table(); }

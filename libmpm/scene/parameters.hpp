@@ -1,49 +1,18 @@
 #pragma once
 /// The one list of everything that a scene can be told. Study files, job keys, catalog columns and messages
 /// are all made from it. Rows that every kind of scene has stand in parameters.cpp, those of a kind in the
-/// file of the kind (kinds/), the constants of materials with their models (material/row.hpp): a new
+/// file of the kind (kinds/), the constants of materials with their models (material/rows.hpp): a new
 /// parameter is a member of Scene or of Material, and one row.
-#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "libmpm/material/row.hpp"
+#include "libmpm/core/input_row.hpp"
 #include "libmpm/scene/scene.hpp"
 
 namespace mpm {
-
-/// How a row reads and writes its value: a function of the scene, or of its material by the material's row.
-template <class Value, class Row>
-class Access {
- public:
-  template <class Function>
-  requires std::convertible_to<Function, Value (*)(const Scene&)>
-  constexpr Access(Function f) : of_(f) {}
-  constexpr Access(const Row& row) : row_(&row) {}
-  Value operator()(const Scene& s) const;
-  bool operator==(const Access&) const = default;
-
- private:
-  Value (*of_)(const Scene&) = nullptr;
-  const Row* row_ = nullptr;
-};
-template <class Value, class Row>
-class Change {
- public:
-  template <class Function>
-  requires std::convertible_to<Function, void (*)(Scene&, Value)>
-  constexpr Change(Function f) : to_(f) {}
-  constexpr Change(const Row& row) : row_(&row) {}
-  void operator()(Scene& s, Value v) const;
-  bool operator==(const Change&) const = default;
-
- private:
-  void (*to_)(Scene&, Value) = nullptr;
-  const Row* row_ = nullptr;
-};
 
 /// Kinds of scene that have a row; all of them, where nothing is said.
 struct KindSet {
@@ -62,8 +31,8 @@ struct Quantity {
   Range range;
   bool required;                 ///< no default: a study must say it (or its alternative)
   std::string_view alternative;  ///< another name for the same degree of freedom, or ""
-  Access<double, MaterialRow> get;
-  Change<double, MaterialRow> set;  ///< order matters: rows are applied from the top
+  double (*get)(const Scene&);
+  void (*set)(Scene&, double);  ///< order matters: rows are applied from the top
   KindSet belongs_to = {};
   bool derived = false;  ///< made of other rows: no freedom of its own, no part of a job's key
   /// The value that says what every scene did before there was the row; the default of the member of Scene.
@@ -79,8 +48,8 @@ struct Choice {
   std::string_view meaning;
   Section section;
   std::span<const std::string_view> allowed;
-  Access<std::size_t, MaterialChoice> get;  ///< index into allowed
-  Change<std::size_t, MaterialChoice> set;
+  std::size_t (*get)(const Scene&);  ///< index into allowed
+  void (*set)(Scene&, std::size_t);
   /// The word that says what every scene did before there was the choice. It is left out of the identity of a
   /// scene, so that what was computed then is still found.
   std::string_view implied = "";

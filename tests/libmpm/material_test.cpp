@@ -6,6 +6,7 @@
 #include "libmpm/material/artificial_viscosity.hpp"
 #include "libmpm/material/eos/temperature.hpp"
 #include "libmpm/material/list.hpp"
+#include "libmpm/material/rows.hpp"
 #include "libmpm/material/solid.hpp"
 
 namespace {
@@ -33,7 +34,7 @@ TEST(NamedMaterials, HaveTheModuliOfTheirSources) {
     for (const double constant : {m.specific_heat, m.initial_temperature, m.pressure_limit})
       EXPECT_GT(constant, 0) << name;
     // every constant of the model that the material has
-    for (const mpm::MaterialRow& row : mpm::material_rows())
+    for (const mpm::MaterialRow& row : mpm::material_rows)
       if (row.range == mpm::Range::positive && (!row.use.holds || row.use.holds(m))) {
         EXPECT_GT(m.*row.value, 0) << name << " " << row.name;
       }

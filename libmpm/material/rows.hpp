@@ -1,5 +1,7 @@
-// The constants of all models, in the order of the table of parameters.
+#pragma once
+/// The constants of all models, in the order of the table of parameters.
 #include <array>
+#include <cstddef>
 
 #include "libmpm/material/eos/mie_grueneisen.hpp"
 #include "libmpm/material/eos/stiffened_gas.hpp"
@@ -10,21 +12,21 @@
 #include "libmpm/material/strength/johnson_cook.hpp"
 
 namespace mpm {
-namespace {
+namespace detail {
 
-constexpr auto eos_words = words<EquationOfState>(
+inline constexpr auto eos_words = words<EquationOfState>(
     {{EquationOfState::mie_grueneisen, "mie-grueneisen"}, {EquationOfState::stiffened_gas, "stiffened-gas"}});
-constexpr auto strength_words = words<StrengthModel>({{StrengthModel::von_mises, "von-mises"},
-                                                      {StrengthModel::johnson_cook, "johnson-cook"},
-                                                      {StrengthModel::none, "none"}});
-constexpr auto law_words =
+inline constexpr auto strength_words = words<StrengthModel>({{StrengthModel::von_mises, "von-mises"},
+                                                             {StrengthModel::johnson_cook, "johnson-cook"},
+                                                             {StrengthModel::none, "none"}});
+inline constexpr auto law_words =
     words<MaterialLaw>({{MaterialLaw::solid, "solid"}, {MaterialLaw::neo_hookean, "neo-hookean"}});
 
-constexpr MaterialRow rows_of_all[] = {
+inline constexpr MaterialRow rows_of_all[] = {
     {"reference_density", "kg/m3", "reference_density_kg_m3", "density at rest", Range::positive,
      &Material::reference_density},
 };
-constexpr MaterialChoice choices_of_all[] = {
+inline constexpr MaterialChoice choices_of_all[] = {
     {"law",
      "an equation of state and a deviator of its own, or a neo-Hookean solid, elastic at any strain",
      law_words,
@@ -52,14 +54,12 @@ constexpr auto joined(const Row (&... lists)[sizes]) {
   return all;
 }
 
+}  // namespace detail
+
 /// A list more for a model with constants of its own.
-constexpr auto rows = joined(rows_of_all, j2_rows, mie_grueneisen_rows, temperature_rows, tension_rows,
-                             failure_rows, johnson_cook_rows, stiffened_gas_rows);
-constexpr auto choices = joined(tension_choices, j2_choices, choices_of_all);
-
-}  // namespace
-
-std::span<const MaterialRow> material_rows() { return rows; }
-std::span<const MaterialChoice> material_choices() { return choices; }
+inline constexpr auto material_rows =
+    detail::joined(detail::rows_of_all, j2_rows, mie_grueneisen_rows, temperature_rows, tension_rows,
+                   failure_rows, johnson_cook_rows, stiffened_gas_rows);
+inline constexpr auto material_choices = detail::joined(tension_choices, j2_choices, detail::choices_of_all);
 
 }  // namespace mpm
