@@ -114,10 +114,7 @@ struct BasicSimulation<axes>::Parts {
         schedule(s) {
     // Before the first step nothing is stressed: the fastest signal is that of the impact, with its
     // viscosity.
-    double sound = 0;
-    for (std::size_t m = 0; m < material_count(s); ++m)
-      sound = std::max(sound, sound_speed_at_rest(material_of(s, m)));
-    signal = 3 * (sound + speed);
+    signal = 3 * (largest_of(s, sound_speed_at_rest) + speed);
   }
 
   bool decided() const {

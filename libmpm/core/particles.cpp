@@ -5,24 +5,35 @@
 
 namespace mpm {
 
+namespace {
+
+/// Null where there is none of that name.
+template <class Columns>
+auto* find_column(Columns& columns, std::string_view name) {
+  const auto found = std::ranges::find(columns, name, &MaterialColumn::name);
+  return found == columns.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 template <int axes>
 std::span<const double> BasicParticles<axes>::own_values(std::string_view name) const {
-  const auto found = std::ranges::find(own, name, &MaterialColumn::name);
-  return found == own.end() ? std::span<const double>{} : std::span<const double>(found->values);
+  const auto* column = find_column(own, name);
+  return column ? std::span<const double>(column->values) : std::span<const double>();
 }
 
 template <int axes>
 std::span<double> BasicParticles<axes>::own_values(std::string_view name) {
-  const auto found = std::ranges::find(own, name, &MaterialColumn::name);
-  return found == own.end() ? std::span<double>{} : std::span<double>(found->values);
+  auto* column = find_column(own, name);
+  return column ? std::span<double>(column->values) : std::span<double>();
 }
 
 template <int axes>
 void BasicParticles<axes>::keep(std::span<const StateColumn> columns) {
   for (const StateColumn& column : columns) {
     const auto each = static_cast<std::size_t>(numbers_in(column.form, axes));
-    const auto found = std::ranges::find(own, column.name, &MaterialColumn::name);
-    if (found == own.end())
+    const MaterialColumn* found = find_column(own, column.name);
+    if (!found)
       own.push_back({std::string(column.name), static_cast<int>(each), std::vector<double>(size() * each)});
     else if (found->each != static_cast<int>(each) || found->values.size() != size() * each)
       throw std::logic_error("the particles have another column " + found->name);
@@ -43,8 +54,7 @@ std::size_t BasicParticles<axes>::material_of(std::size_t p) const {
 
 template <int axes>
 OwnNumbers::OwnNumbers(BasicParticles<axes>& ps, std::span<const StateColumn> columns) {
-  for (const StateColumn& column : columns)
-    columns_.push_back(&*std::ranges::find(ps.own, column.name, &MaterialColumn::name));
+  for (const StateColumn& column : columns) columns_.push_back(find_column(ps.own, column.name));
 }
 
 void OwnNumbers::read(std::size_t p, double* to) const {

@@ -18,8 +18,8 @@ struct BasicParticles {
   std::vector<Vector> velocity;  ///< [m/s]
   std::vector<double> mass;  ///< in plane strain per depth [kg/m], in axisymmetry per radian [kg]; constant
   std::vector<double> initial_volume;  ///< at the reference density: mass / density; constant
-  std::vector<double> dilation;  ///< J - 1 = rho0/rho - 1 [1], at most MieGrueneisen::most_dilation; small
-                                 ///< strains keep their digits
+  std::vector<double> dilation;  ///< J - 1 = rho0/rho - 1 [1], at most most_dilation (material/model.hpp);
+                                 ///< small strains keep their digits
   std::vector<double> energy;    ///< specific internal energy, carried at half steps (see step.hpp) [J/kg]
   std::vector<double> pressure;  ///< of the equation of state [Pa]
   std::vector<double> viscous_pressure;  ///< q >= 0 [Pa]

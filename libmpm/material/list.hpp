@@ -61,13 +61,6 @@ void with_model(const MaterialModel& m, Use use) {
   with_model_type<Real>(m.material, [&]<class Model>(std::size_t place) { use(Model(m), place); });
 }
 
-/// Whether a model of the list is that of the material.
-inline bool is_compiled(const Material& m) {
-  return []<class... Models>(const Material& material, ModelList<Models...>) {
-    return (Models::fits(material) || ...);
-  }(m, CompiledModels<double>{});
-}
-
 /// The most numbers that a compiled model keeps of a particle.
 template <class Real, int axes>
 constexpr int most_own_numbers = []<class... Models>(ModelList<Models...>) {

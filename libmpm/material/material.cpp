@@ -18,7 +18,11 @@ double Material::hardening_per_equivalent_strain() const {
   return hardening_modulus;
 }
 
-bool has_model(const Material& m) { return is_compiled(m); }
+bool has_model(const Material& m) {
+  return [&]<class... Models>(ModelList<Models...>) {
+    return (Models::fits(m) || ...);
+  }(CompiledModels<double>{});
+}
 
 double sound_speed_at_rest(const Material& m) {
   double speed = 0;

@@ -81,6 +81,10 @@ struct Signal {
   N longitudinal_square;  ///< square of the longitudinal sound speed [m^2/s^2]
 };
 
+/// Of J - 1, for all models: fourfold compression, tenfold expansion. Single particles pass the first where a
+/// cavity closes, and reach the second in what jets leave behind.
+inline constexpr double least_dilation = -0.75, most_dilation = 9;
+
 /// Where a model holds. `most_dilation`: particles that expand further are kept there.
 template <class Real>
 struct Validity {

@@ -42,8 +42,9 @@ struct NeoHookean {
     return std::sqrt((m.lame_lambda() + 2 * m.shear_modulus()) / m.reference_density);
   }
 
-  /// The range of densities is that of the solids: what leaves it is torn or crushed.
-  MPM_INLINE Validity<Real> validity() const { return {Real(-0.75), Real(9), pressure_limit}; }
+  MPM_INLINE Validity<Real> validity() const {
+    return {Real(least_dilation), Real(most_dilation), pressure_limit};
+  }
 
   template <class N>
   MPM_INLINE N implicit(N, N) const {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "libmpm/material/eos/mie_grueneisen.hpp"
+#include "libmpm/material/model.hpp"
 #include "libmpm/measure/energy.hpp"
 
 namespace mpm {
@@ -60,8 +60,7 @@ std::size_t worst_particle(typename BasicHealth<axes>::Trouble trouble, const Ba
       case Trouble::not_finite:
         return is_finite(ps, p) ? (s.grid.holds(ps.position[p]) ? 0.0 : 1.0) : 2.0;
       case Trouble::density:  // by how much it is beyond its end of the range
-        return std::max(ps.dilation[p] / MieGrueneisen::most_dilation,
-                        ps.dilation[p] / MieGrueneisen::least_dilation);
+        return std::max(ps.dilation[p] / most_dilation, ps.dilation[p] / least_dilation);
       case Trouble::pressure:
         return ps.pressure[p];
       default:
@@ -94,18 +93,6 @@ template <int axes>
 std::span<const ResultRow> BasicHealth<axes>::results() {
   return rows;
 }
-
-namespace {
-
-/// Over the materials of a scene.
-template <class Value>
-double largest_of(const Scene& s, const Value& value) {
-  double largest = 0;
-  for (std::size_t m = 0; m < material_count(s); ++m) largest = std::max(largest, value(material_of(s, m)));
-  return largest;
-}
-
-}  // namespace
 
 template <int axes>
 BasicHealth<axes>::BasicHealth(const Scene& scene, const State& s, double speed)
@@ -151,9 +138,8 @@ std::string BasicHealth<axes>::describe(Trouble trouble, const State& s, double 
     case Trouble::density:
       text << "density left its range: rho0/rho from " << 1 + last_.smallest_dilation << " to "
            << 1 + last_.largest_dilation << ", " << 100 * last_.overstrained_mass / mass_
-           << " % of the mass below " << 1 + MieGrueneisen::least_dilation << " or at "
-           << 1 + MieGrueneisen::most_dilation << "; allowed " << 100 * most_beyond
-           << " %, and no particle below " << 1 + crushed;
+           << " % of the mass below " << 1 + least_dilation << " or at " << 1 + most_dilation << "; allowed "
+           << 100 * most_beyond << " %, and no particle below " << 1 + crushed;
       break;
     case Trouble::pressure:
       text << 100 * last_.overpressed_mass / mass_

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -112,6 +113,13 @@ struct Scene {
 inline std::size_t material_count(const Scene& s) { return 1 + s.other_materials.size(); }
 /// Material number `index` of a scene. Throws InputError where there are fewer.
 const Material& material_of(const Scene&, std::size_t index);
+/// The largest value(material) of its materials.
+template <class Value>
+double largest_of(const Scene& s, const Value& value) {
+  double largest = value(s.material);
+  for (const Material& m : s.other_materials) largest = std::max(largest, value(m));
+  return largest;
+}
 
 /// Whether the fast step knows the space, the scheme and the transfer; if not, the kernel must be the
 /// reference.

@@ -23,9 +23,8 @@ struct BasicMieGrueneisen {
   Real pressure_floor;      ///< minus the spall strength; minus infinity without [Pa]
   Real pressure_limit;      ///< upper end of its validity [Pa]
   Tension tension;
-  /// Range of rho0/rho - 1: fourfold compression, tenfold expansion. Single particles pass the first where a
-  /// cavity closes, and reach the second in what jets leave behind.
-  static constexpr Real least_dilation = Real(-0.75), most_dilation = 9;
+  /// Range of rho0/rho - 1.
+  static constexpr Real least_dilation = Real(mpm::least_dilation), most_dilation = Real(mpm::most_dilation);
   /// Inside the range, its upper end not included: particles are held there. The factor of A makes
   /// the cold tension grow with the volume without bound, and with it the sound speed: 0.22 TPa and 31 km/s
   /// at ten times the volume, 1.18 TPa and 146 km/s at 47 times, to which one torn-off particle would hold

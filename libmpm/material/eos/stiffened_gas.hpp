@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 
-#include "libmpm/material/eos/mie_grueneisen.hpp"
 #include "libmpm/material/model.hpp"
 #include "libmpm/material/row.hpp"
 
@@ -42,8 +41,7 @@ struct StiffenedGas {
     return m.adiabatic_index * m.stiffening_pressure / m.reference_density;
   }
   MPM_INLINE Validity<Real> validity() const {
-    return {BasicMieGrueneisen<Real>::least_dilation, BasicMieGrueneisen<Real>::most_dilation,
-            pressure_limit};
+    return {Real(least_dilation), Real(most_dilation), pressure_limit};
   }
 
   /// P = cold + thermal e at a volume, and c^2.
