@@ -9,19 +9,12 @@
 #include "libmpm/verification/exact/axis_aligned.hpp"
 #include "libmpm/verification/exact/vibrating_bar.hpp"
 #include "libmpm/verification/exact/vortex.hpp"
+#include "tests/verification/exact/slope.hpp"
 
 namespace {
 
 using namespace mpm::verification::exact;
 using Gradient = std::array<double, 4>;  ///< xx, xy, yx, yy
-
-constexpr double step = 1e-3;  // a fourth-order difference leaves 1e-10
-
-/// f'(0) to fourth order.
-template <class Function>
-double slope(const Function& f) {
-  return (8 * (f(step) - f(-step)) - (f(2 * step) - f(-2 * step))) / (12 * step);
-}
 
 template <class Solution>
 Gradient deformation(const Solution& s, Vector x, double t) {

@@ -1,6 +1,7 @@
 // The body forces of the standing waves of three axes and of axial symmetry, by differences as in
 // manufactured_test.cpp.
 #include "libmpm/verification/exact/standing_waves.hpp"
+#include "tests/verification/exact/slope.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,14 +12,6 @@ namespace {
 
 using namespace mpm::verification::exact;
 
-constexpr double distance = 1e-3;  // a fourth-order difference leaves 1e-10
-
-/// f'(0) to fourth order.
-template <class Function>
-double slope_at(const Function& f) {
-  return (8 * (f(distance) - f(-distance)) - (f(2 * distance) - f(-2 * distance))) / (12 * distance);
-}
-
 /// F is diagonal in both.
 using Stretches = std::array<double, 3>;
 
@@ -26,7 +19,7 @@ using Stretches = std::array<double, 3>;
 Stretches stress_of(const NeoHookean& solid, const Stretches& f) {
   Stretches p{};
   for (std::size_t k = 0; k < 3; ++k)
-    p[k] = slope_at([&](double d) {
+    p[k] = slope([&](double d) {
       Stretches g = f;
       g[k] += d;
       return solid.strain_energy(g[0] * g[1] * g[2], g[0] * g[0] + g[1] * g[1] + g[2] * g[2] - 3);
@@ -37,7 +30,7 @@ Stretches stress_of(const NeoHookean& solid, const Stretches& f) {
 /// dx/dX along an axis.
 template <class Waves>
 double stretch(const Waves& s, typename Waves::Point x, double t, std::size_t axis) {
-  return slope_at([&](double d) {
+  return slope([&](double d) {
     auto at = x;
     at[axis] += d;
     return s.position(at, t)[axis];
@@ -55,7 +48,7 @@ Stretches stretches(const CylinderWaves& s, const CylinderWaves::Point& x, doubl
 /// The force of the stress on a unit of volume along an axis, but for that of the hoop.
 template <class Waves>
 double divergence(const Waves& s, const typename Waves::Point& x, double t, std::size_t axis) {
-  return slope_at([&](double d) {
+  return slope([&](double d) {
     auto at = x;
     at[axis] += d;
     return stress_of(s.solid, stretches(s, at, t))[axis];
@@ -74,11 +67,10 @@ void expect_balance(const Waves& s, const typename Waves::Point& x) {
   for (const double t : {0.1, 0.6, 1.9})
     for (std::size_t axis = 0; axis < x.size(); ++axis) {
       const double stress = divergence(s, x, t, axis) + hoop_force(s, x, t, axis);
-      const double acceleration = slope_at([&](double d) { return s.velocity(x, t + d)[axis]; });
+      const double acceleration = slope([&](double d) { return s.velocity(x, t + d)[axis]; });
       EXPECT_NEAR(acceleration, s.body_force(x, t)[axis] + stress / s.solid.density, 1e-6)
           << axis << ' ' << t;
-      EXPECT_NEAR(slope_at([&](double d) { return s.position(x, t + d)[axis]; }), s.velocity(x, t)[axis],
-                  1e-9);
+      EXPECT_NEAR(slope([&](double d) { return s.position(x, t + d)[axis]; }), s.velocity(x, t)[axis], 1e-9);
     }
 }
 
