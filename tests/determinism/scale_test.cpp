@@ -22,11 +22,8 @@ TEST(Scale, SphericalCollapse) {
 }
 
 TEST(Scale, CollapseOfThreeAxes) {
-  mpm::Scene s = scenes::cavity(0.5e-6);
-  s.space = mpm::Space::three_d;
+  mpm::Scene s = scenes::in_space(mpm::Space::three_d, scenes::cavity(0.5e-6));
   s.block_width = 5e-6;
-  s.numerics = mpm::default_numerics(s.kind, s.space);
-  s.numerics.cell_size = 0.5e-6;
   EXPECT_THAT(differing_when_scaled(s, 1024), IsEmpty());
 }
 

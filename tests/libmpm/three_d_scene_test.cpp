@@ -23,13 +23,7 @@ using mpm::Vec3;
 using std::numbers::pi;
 
 /// With what a study of three axes uses where it says nothing.
-mpm::Scene three_d(mpm::Scene s) {
-  const double cell = s.numerics.cell_size;
-  s.space = mpm::Space::three_d;
-  s.numerics = mpm::default_numerics(s.kind, s.space);
-  s.numerics.cell_size = cell;
-  return s;
-}
+mpm::Scene three_d(const mpm::Scene& s) { return scenes::in_space(mpm::Space::three_d, s); }
 
 /// A spherical cavity in a small block.
 mpm::Scene sphere(double cell) {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/shape/bspline2.hpp"
 #include "libmpm/shape/bspline3.hpp"
@@ -86,11 +87,7 @@ double total_energy(const State3& s) {
   for (std::size_t p = 0; p < s.particles.size(); ++p) sum += s.particles.mass[p] * s.particles.energy[p];
   return sum;
 }
-Vec3 momentum(const State3& s) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t p = 0; p < s.particles.size(); ++p) sum += s.particles.mass[p] * s.particles.velocity[p];
-  return sum;
-}
+Vec3 momentum(const State3& s) { return mpm::momentum_of(s.particles); }
 
 template <class Use>
 void each_transfer(const Use& use) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libmpm/body/fill.hpp"
+#include "libmpm/measure/energy.hpp"
 #include "libmpm/simulation.hpp"
 #include "libmpm/verification/problems/problems.hpp"
 #include "libmpm/verification/problems/scenes.hpp"
@@ -30,19 +31,10 @@ mpm::Vec3 angular_momentum(const mpm::BasicParticles<3>& ps, const mpm::Vec3& ce
   return sum;
 }
 
-mpm::Vec3 linear_momentum(const mpm::BasicParticles<3>& ps) {
-  mpm::Vec3 sum = mpm::Vec3::Zero();
-  for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.velocity[p];
-  return sum;
-}
-
 }  // namespace
 
 FreeFlight fly_freely(mpm::Transfer transfer) {
-  mpm::Scene scene = scenes::cavity(flight_cell);
-  scene.space = mpm::Space::three_d;
-  scene.numerics = mpm::default_numerics(scene.kind, scene.space);
-  scene.numerics.cell_size = flight_cell;
+  mpm::Scene scene = scenes::in_space(mpm::Space::three_d, scenes::cavity(flight_cell));
   scene.numerics.transfer = transfer;
   // four cells of a cube, as far from every side of the grid
   const mpm::Vec3 low = mpm::Vec3::Constant(4 * flight_cell), high = 2 * low, center = 1.5 * low;
@@ -53,11 +45,11 @@ FreeFlight fly_freely(mpm::Transfer transfer) {
                 [&](const mpm::Vec3& x) { return mpm::Vec3(flight + spin.cross(x - center)); }},
                scene);
   mpm::Simulation3 simulation(scene, std::move(state));
-  const mpm::Vec3 momentum = linear_momentum(simulation.state().particles);
+  const mpm::Vec3 momentum = mpm::momentum_of(simulation.state().particles);
   const mpm::Vec3 turning = angular_momentum(simulation.state().particles, center);
   for (int k = 0; k < 200; ++k) simulation.step(5e-12);
   const auto& ps = simulation.state().particles;
-  return {(linear_momentum(ps) - momentum).norm() / momentum.norm(),
+  return {(mpm::momentum_of(ps) - momentum).norm() / momentum.norm(),
           (angular_momentum(ps, center) - turning).norm() / turning.norm()};
 }
 

@@ -45,11 +45,7 @@ ExactNumbers imploding_shell_numbers(double inner_speed, bool hardening, const E
 /// A sphere on cells of this size, perfectly plastic, as a study of that space would compute it.
 static mpm::Scene sphere_in(mpm::Space space, double inner_speed, double cell_size,
                             const ExactOptions& options) {
-  mpm::Scene scene = scenes::shell(inner_speed, cell_size * options.cells);
-  const double cell = scene.numerics.cell_size;
-  scene.space = space;
-  scene.numerics = mpm::default_numerics(scene.kind, space);
-  scene.numerics.cell_size = cell;
+  mpm::Scene scene = scenes::in_space(space, scenes::shell(inner_speed, cell_size * options.cells));
   scene.material.hardening_modulus = 0;
   return with_options(scene, options);
 }

@@ -174,12 +174,8 @@ ExactNumbers moving_frame_numbers(const ExactOptions& options) {
 namespace {
 
 /// The run of a scene in a space, as a study there would compute it.
-mpm::RunResult run_in(mpm::Space space, mpm::Scene scene, const ExactOptions& options) {
-  const double cell = scene.numerics.cell_size;
-  scene.space = space;
-  scene.numerics = mpm::default_numerics(scene.kind, space);
-  scene.numerics.cell_size = cell;
-  return mpm::run(with_options(scene, options));
+mpm::RunResult run_in(mpm::Space space, const mpm::Scene& scene, const ExactOptions& options) {
+  return mpm::run(with_options(scenes::in_space(space, scene), options));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "libmpm/measure/energy.hpp"
 #include "libmpm/mpm.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/step/reference_stepper.hpp"
@@ -69,13 +70,8 @@ class NeoHookeanBodyIn {
     for (const double m : particles().mass) sum += m;
     return sum;
   }
-  Vector momentum() {  ///< [kg/s]
-    const auto& ps = particles();
-    Vector sum = Vector::Zero();
-    for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.velocity[p];
-    return sum;
-  }
-  double kinetic_energy() {  ///< [J/m]
+  Vector momentum() { return mpm::momentum_of(particles()); }  ///< [kg/s]
+  double kinetic_energy() {                                    ///< [J/m]
     const auto& ps = particles();
     double sum = 0;
     for (std::size_t p = 0; p < ps.size(); ++p) sum += ps.mass[p] * ps.velocity[p].squaredNorm() / 2;

@@ -56,6 +56,15 @@ inline mpm::Scene shell(double inner_speed, double cell_size) {
   return s;
 }
 
+/// The same in another space, with the default numerics there, on the same cells.
+inline mpm::Scene in_space(mpm::Space space, mpm::Scene s) {
+  const double cell = s.numerics.cell_size;
+  s.space = space;
+  s.numerics = mpm::default_numerics(s.kind, space);
+  s.numerics.cell_size = cell;
+  return s;
+}
+
 /// Value of a metric; `otherwise` if the run has none of that name.
 inline double metric(const mpm::RunResult& r, std::string_view name,
                      double otherwise = std::numeric_limits<double>::quiet_NaN()) {
