@@ -191,6 +191,13 @@ void check_body(const Scene& s, const BasicState<axes>& body, Report& report) {
                             inside ? "of positive mass and volume, with a finite velocity"
                                    : "in the grid, above its floor and between its sides");
   }
+  // With fewer, the images behind both mirrors share nodes.
+  constexpr int fewest_cells = 3;
+  require(grid.columns() >= fewest_cells, "a grid of " + std::to_string(grid.columns()) + " cells across",
+          "in a grid of at least 3 cells between its mirrors");
+  if constexpr (axes == 3)
+    require(grid.slices() >= fewest_cells, "a grid of " + std::to_string(grid.slices()) + " cells along z",
+            "in a grid of at least 3 cells between its mirrors");
   const double ratio = s.numerics.cell_size / grid.cell().minCoeff();
   report.require(ratio > 0.5 && ratio < 2, "cell_size",
                  "about the smaller edge of the grid's cells (" + text_of(grid.cell().minCoeff()) + " m)");

@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string footer_of(const StudyResults& results) {
-  return fmt::format("catalog {}, physics version {}", results.fingerprint, mpm::physics_version);
+std::string footer_of(const Study& study, const StudyResults& results) {
+  return fmt::format("catalog {}, {}", results.fingerprint,
+                     physics_versions_text(physics_versions_of(study)));
 }
 
 bool draw_history(const Study& study, const StudyResults& results, const FigureRequest& request,
@@ -32,7 +33,7 @@ bool draw_history(const Study& study, const StudyResults& results, const FigureR
   analysis::Plot plot;
   plot.kind = analysis::Plot::Kind::history;
   plot.title = request.title;
-  plot.footer = footer_of(results);
+  plot.footer = footer_of(study, results);
   plot.x = label_of("time");
   plot.y = label_of("area");
   plot.y_from_zero = true;
@@ -94,7 +95,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   analysis::Plot plot;
   plot.kind = analysis::Plot::Kind::xy;
   plot.title = request.title;
-  plot.footer = footer_of(results);
+  plot.footer = footer_of(study, results);
   plot.x = label_of(request.x, mpm::find_quantity(request.x)->unit);
   plot.y = results.critical && critical_result(request.y) ? critical_label(*results.critical)
                                                           : label_of(request.y, unit_of(results, request.y));
@@ -141,7 +142,7 @@ std::vector<fs::path> draw_fields(const Study& study, const StudyResults& result
     const JobResults& job = *groups[g].jobs.front();
     analysis::FieldPlot plot;
     plot.title = groups[g].label.empty() ? request.title : request.title + ", " + groups[g].label;
-    plot.footer = footer_of(results);
+    plot.footer = footer_of(study, results);
     plot.value = label_of(request.y);
     plot.mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
     plot.panels = panels_of(snapshots_of(results, job), request.y);
@@ -160,7 +161,7 @@ bool draw_calibration(const Study& study, const StudyResults& results, const Fig
                       const fs::path& stem) {
   const auto points = calibration_of(study, results, request.y);
   if (points.empty()) return false;
-  analysis::draw({request.title, footer_of(results), points}, stem);
+  analysis::draw({request.title, footer_of(study, results), points}, stem);
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include "libmpm/io/fields.hpp"
 #include "libmpm/measure/results.hpp"
 #include "libmpm/scene/parameters.hpp"
+#include "libmpm/scene/physics_version.hpp"
 
 namespace mpmstudy {
 
@@ -16,6 +17,19 @@ analysis::QuantityLabel label_of(std::string_view name, std::string_view unit_if
   if (name == "time") return {"Time", "t", "s"};
   if (name == "area") return {"Cavity area", "A", "m^2"};
   return analysis::quantity_label(name, unit_if_unknown);
+}
+
+std::set<int> physics_versions_of(const Study& study) {
+  std::set<int> versions;
+  for (const mpm::Scene& scene : study.scenes) versions.insert(mpm::physics_version_of(scene));
+  return versions;
+}
+
+std::string physics_versions_text(const std::set<int>& versions) {
+  std::string text = versions.size() > 1 ? "physics versions " : "physics version ";
+  for (const int version : versions)
+    text += (version == *versions.begin() ? "" : " and ") + std::to_string(version);
+  return text;
 }
 
 }  // namespace mpmstudy

@@ -187,16 +187,18 @@ std::string report_page(const std::vector<ReportedStudy>& studies, const fs::pat
   }
 
   std::string fingerprints;
+  std::set<int> versions;
   for (const ReportedStudy& study : studies) {
+    versions.merge(physics_versions_of(study.study));
     page.sections.push_back(section_of(study, folder));
     fingerprints += read_results(study.study, folder).fingerprint;
   }
   analysis::PageSection costs{"costs", "Costs", "", {}, {}, {}};
   costs.tables.push_back(page_table("Time on a processor, by study", table_of_costs(folder)));
   page.sections.push_back(std::move(costs));
-  page.footer = fmt::format("catalog {:016x}, physics version {}, commit {}",
-                            XXH3_64bits(fingerprints.data(), fingerprints.size()), mpm::physics_version,
-                            git_revision());
+  page.footer =
+      fmt::format("catalog {:016x}, {}, commit {}", XXH3_64bits(fingerprints.data(), fingerprints.size()),
+                  physics_versions_text(versions), git_revision());
   return analysis::html_of(page);
 }
 

@@ -196,6 +196,8 @@ TEST(Simulation, RefusesABodyThatCannotBeRun) {
   EXPECT_EQ(refusal(scene, block(scene)), "");
   EXPECT_THAT(refusal(scene, mpm::empty_state({0, 0}, {0.2e-6, 0.2e-6}, 25)),
               HasSubstr("body = nothing: must be a body of at least one particle"));
+  EXPECT_THAT(refusal(scene, mpm::empty_state({0, 0}, {0.2e-6, 0.2e-6}, 2)),
+              HasSubstr("body = a grid of 2 cells across: must be in a grid of at least 3 cells"));
   mpm::State s = block(scene);
   s.particles.position[3].x() = 6e-6;
   EXPECT_THAT(refusal(scene, s), HasSubstr("particle 3 at x = 6e-06 m"));

@@ -1,6 +1,8 @@
 // Labels of figures come from the tables of parameters, results and fields.
 #include <gtest/gtest.h>
 
+#include "libmpm/scene/physics_version.hpp"
+
 #include "libmpm/io/fields.hpp"
 #include "libmpm/measure/results.hpp"
 #include "runner/finish/labels.hpp"
@@ -36,4 +38,15 @@ TEST(Labels, EveryUnitOfTheTablesHasScales) {
 }
 
 }  // namespace
+TEST(PhysicsVersions, AreThoseOfTheJobsOfAStudy) {
+  mpmstudy::Study study;
+  study.scenes.resize(2);
+  EXPECT_EQ(mpmstudy::physics_versions_of(study), std::set<int>{mpm::physics_version});
+  study.scenes[1].numerics.kernel = mpm::Kernel::reference;
+  EXPECT_EQ(mpmstudy::physics_versions_of(study),
+            (std::set<int>{mpm::physics_version, mpm::physics_version_of(study.scenes[1])}));
+  EXPECT_EQ(mpmstudy::physics_versions_text({5}), "physics version 5");
+  EXPECT_EQ(mpmstudy::physics_versions_text({5, 6}), "physics versions 5 and 6");
+}
+
 }  // namespace mpmstudy
