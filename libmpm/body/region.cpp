@@ -21,8 +21,9 @@ double offset(double x, const Vec2& from) { return x - from.x(); }
 Vec2 offset(const Vec2& at, const Vec3& from) { return at - Vec2(from.x(), from.z()); }
 double length(double x) { return x; }
 double length(const Vec2& at) { return at.norm(); }
-double in_units(double x, const Vec2& of) { return x / of.x(); }
-double in_units(const Vec2& at, const Vec3& of) { return at.cwiseQuotient(Vec2(of.x(), of.z())).norm(); }
+/// From a point to the one of the line at the same height.
+Vec2 point_of(double x, const Vec2& from) { return {x - from.x(), 0}; }
+Vec3 point_of(const Vec2& at, const Vec3& from) { return {at.x() - from.x(), 0, at.y() - from.z()}; }
 bool between(double x, const Vec2& low, const Vec2& high) { return x >= low.x() && x <= high.x(); }
 bool between(const Vec2& at, const Vec3& low, const Vec3& high) {
   return at.x() >= low.x() && at.x() <= high.x() && at.y() >= low.z() && at.y() <= high.z();
@@ -110,20 +111,79 @@ BasicRegion<axes> ball(const Vec<axes>& center, double radius) {
           }};
 }
 
+/// In coordinates u of the ellipsoid, in which it is the unit ball, a vertical line is u = a + y b.
 template <int axes>
-BasicRegion<axes> ellipsoid(const Vec<axes>& center, const Vec<axes>& half_axes) {
+BasicRegion<axes> ellipsoid(const Vec<axes>& center, const Vec<axes>& half_axes, const Mat<axes>& rotation) {
   const double least = half_axes.minCoeff();
-  return {center - half_axes, center + half_axes,
+  const Mat<axes> to_unit_ball = half_axes.cwiseInverse().asDiagonal() * rotation.transpose();
+  const Vec<axes> reach = (rotation * half_axes.asDiagonal()).rowwise().norm();
+  return {center - reach, center + reach,
           [=](const Vec<axes>& x,
               double radius) {  // in units of the half axes the ball is in one of radius/least
-            const double distance = (x - center).cwiseQuotient(half_axes).norm();
+            const double distance = (to_unit_ball * (x - center)).norm();
             return distance < 1 - radius / least   ? Share::all
                    : distance > 1 + radius / least ? Share::none
                                                    : Share::part;
           },
           [=](const LineAt<axes>& at, Intervals& all) {
-            const double half = half_axes.y() * half_chord(1, in_units(offset(at, center), half_axes));
-            all.push_back({center.y() - half, center.y() + half});
+            const Vec<axes> a = to_unit_ball * point_of(at, center), b = to_unit_ball.col(1);
+            const double nearest = -a.dot(b) / b.squaredNorm();
+            const double half = half_chord(1, (a + nearest * b).norm()) / b.norm();
+            all.push_back({center.y() + nearest - half, center.y() + nearest + half});
+          }};
+}
+
+namespace {
+
+/// From a point to the nearest one of a line between two corners.
+double distance_to_edge(const Vec2& x, const Vec2& from, const Vec2& to) {
+  const Vec2 edge = to - from;
+  const double share = std::clamp((x - from).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  return (x - from - share * edge).norm();
+}
+
+/// Heights at which a vertical line goes through the edges, ascending. An edge has its left corner and not
+/// its right one, so that there is an even number of them.
+std::vector<double> crossings(const std::vector<Vec2>& corners, double x) {
+  std::vector<double> heights;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+    if ((a.x() <= x) == (b.x() <= x)) continue;
+    heights.push_back(a.y() + (b.y() - a.y()) * ((x - a.x()) / (b.x() - a.x())));
+  }
+  std::ranges::sort(heights);
+  return heights;
+}
+
+Vec2 in_plane(const Vec2& x) { return x; }
+Vec2 in_plane(const Vec3& x) { return x.head<2>(); }
+double across(double x) { return x; }
+double across(const Vec2& at) { return at.x(); }
+
+}  // namespace
+
+template <int axes>
+BasicRegion<axes> polygon(const std::vector<Vec2>& corners) {
+  Vec<axes> low = Vec<axes>::Constant(-infinity), high = Vec<axes>::Constant(infinity);
+  low.template head<2>() = high.template head<2>() = corners.front();
+  for (const Vec2& corner : corners) {
+    low.template head<2>() = low.template head<2>().cwiseMin(corner);
+    high.template head<2>() = high.template head<2>().cwiseMax(corner);
+  }
+  return {low, high,
+          [=](const Vec<axes>& center, double radius) {
+            const Vec2 x = in_plane(center);
+            for (std::size_t k = 0; k < corners.size(); ++k)
+              if (distance_to_edge(x, corners[k], corners[(k + 1) % corners.size()]) <= radius)
+                return Share::part;
+            const auto heights = crossings(corners, x.x());
+            const auto below = std::ranges::count_if(heights, [&](double y) { return y < x.y(); });
+            return below % 2 == 1 ? Share::all : Share::none;
+          },
+          [=](const LineAt<axes>& at, Intervals& all) {
+            const auto heights = crossings(corners, across(at));
+            for (std::size_t k = 0; k + 1 < heights.size(); k += 2)
+              all.push_back({heights[k], heights[k + 1]});
           }};
 }
 
@@ -147,27 +207,39 @@ BasicRegion<axes> half_space(const Vec<axes>& point, const Vec<axes>& direction)
           }};
 }
 
-BasicRegion<3> cylinder(const Vec3& end, Axis axis, double length, double radius) {
-  const int along = static_cast<int>(axis);
-  Vec3 low = end - Vec3::Constant(radius), high = end + Vec3::Constant(radius);
-  low[along] = end[along], high[along] = end[along] + length;
-  return {low, high,
+/// A vertical line through the point a above the end's height is x = a + y e_y; what of it lies between the
+/// two end planes and within the radius is one interval each.
+BasicRegion<3> cylinder(const Vec3& from, const Vec3& to, double radius) {
+  const double length = (to - from).norm();
+  const Vec3 along = (to - from) / length;
+  const Vec3 reach = radius * (Vec3::Ones() - along.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
+  return {from.cwiseMin(to) - reach, from.cwiseMax(to) + reach,
           [=](const Vec3& x, double r) {
-            Vec3 across = x - end;
-            across[along] = 0;
-            const double within = std::min(x[along] - low[along], high[along] - x[along]);
-            return share_at(std::min(within, radius - across.norm()), r);
+            const double way = along.dot(x - from);
+            const double outwards = (x - from - way * along).norm();
+            return share_at(std::min({way, length - way, radius - outwards}), r);
           },
           [=](const Vec2& at, Intervals& all) {
-            const Vec2 from = offset(at, end);
-            if (axis == Axis::y) {
-              if (from.norm() <= radius) all.push_back({low.y(), high.y()});
+            const Vec3 a = point_of(at, from), up = Vec3::Unit(1);
+            const double start = along.dot(a), rise = along.y();
+            Interval cut{-infinity, infinity};
+            if (rise != 0) {
+              const double one = -start / rise, other = (length - start) / rise;
+              cut = {std::min(one, other), std::max(one, other)};
+            } else if (start < 0 || start > length) {
               return;
             }
-            const double way = axis == Axis::x ? from.x() : from.y();
-            if (way < 0 || way > length) return;
-            const double half = half_chord(radius, axis == Axis::x ? from.y() : from.x());
-            all.push_back({end.y() - half, end.y() + half});
+            const Vec3 outwards = a - start * along, slope = up - rise * along;
+            const double steepness = slope.squaredNorm();
+            if (steepness > 0) {
+              const double nearest = -outwards.dot(slope) / steepness;
+              const double half =
+                  half_chord(radius, (outwards + nearest * slope).norm()) / std::sqrt(steepness);
+              cut = {std::max(cut.low, nearest - half), std::min(cut.high, nearest + half)};
+            } else if (outwards.norm() > radius) {
+              return;
+            }
+            if (cut.high >= cut.low) all.push_back({from.y() + cut.low, from.y() + cut.high});
           }};
 }
 
@@ -197,13 +269,22 @@ BasicRegion<axes> operator|(BasicRegion<axes> a, BasicRegion<axes> b) {
           }};
 }
 
-#define MPM_REGIONS_OF(axes)                                                  \
-  template BasicRegion<axes> everywhere<axes>();                              \
-  template BasicRegion<axes> block(const Vec<axes>&, const Vec<axes>&);       \
-  template BasicRegion<axes> ball(const Vec<axes>&, double);                  \
-  template BasicRegion<axes> ellipsoid(const Vec<axes>&, const Vec<axes>&);   \
-  template BasicRegion<axes> half_space(const Vec<axes>&, const Vec<axes>&);  \
-  template BasicRegion<axes> operator-(BasicRegion<axes>, BasicRegion<axes>); \
+template <int axes>
+BasicRegion<axes> operator&(BasicRegion<axes> a, BasicRegion<axes> b) {
+  BasicRegion<axes> both = a - (everywhere<axes>() - b);
+  both.low = a.low.cwiseMax(b.low), both.high = a.high.cwiseMin(b.high);
+  return both;
+}
+
+#define MPM_REGIONS_OF(axes)                                                                  \
+  template BasicRegion<axes> everywhere<axes>();                                              \
+  template BasicRegion<axes> block(const Vec<axes>&, const Vec<axes>&);                       \
+  template BasicRegion<axes> ball(const Vec<axes>&, double);                                  \
+  template BasicRegion<axes> ellipsoid(const Vec<axes>&, const Vec<axes>&, const Mat<axes>&); \
+  template BasicRegion<axes> polygon<axes>(const std::vector<Vec2>&);                         \
+  template BasicRegion<axes> operator&(BasicRegion<axes>, BasicRegion<axes>);                 \
+  template BasicRegion<axes> half_space(const Vec<axes>&, const Vec<axes>&);                  \
+  template BasicRegion<axes> operator-(BasicRegion<axes>, BasicRegion<axes>);                 \
   template BasicRegion<axes> operator|(BasicRegion<axes>, BasicRegion<axes>);
 MPM_REGIONS_OF(2)
 MPM_REGIONS_OF(3)

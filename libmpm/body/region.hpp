@@ -44,15 +44,24 @@ template <int axes>
 BasicRegion<axes> block(const Vec<axes>& low, const Vec<axes>& high);
 template <int axes>
 BasicRegion<axes> ball(const Vec<axes>& center, double radius);
+/// `rotation`: of the ellipsoid about its centre; its half axes lie along x, y, z before.
 template <int axes>
-BasicRegion<axes> ellipsoid(const Vec<axes>& center, const Vec<axes>& half_axes);
+BasicRegion<axes> ellipsoid(const Vec<axes>& center, const Vec<axes>& half_axes,
+                            const Mat<axes>& rotation = Mat<axes>::Identity());
+/// The corners of a polygon in turn, either way round; at least three, and no two edges cross. Of three axes
+/// the prism along z, which has no end.
+template <int axes>
+BasicRegion<axes> polygon(const std::vector<Vec2>& corners);
 /// The side of the plane through `point` that `normal`, of any length, points away from.
 template <int axes>
 BasicRegion<axes> half_space(const Vec<axes>& point, const Vec<axes>& normal);
 
-/// A rod from the centre of its one end along the axis.
+/// A rod from the centre of its one end to that of the other.
+BasicRegion<3> cylinder(const Vec3& from, const Vec3& to, double radius);
 enum class Axis { x, y, z };
-BasicRegion<3> cylinder(const Vec3& end, Axis, double length, double radius);
+inline BasicRegion<3> cylinder(const Vec3& from, Axis axis, double length, double radius) {
+  return cylinder(from, from + length * Vec3::Unit(static_cast<int>(axis)), radius);
+}
 
 /// The words for two axes, which take braces.
 inline Region block(Vec2 low, Vec2 high) { return block<2>(low, high); }
@@ -64,5 +73,7 @@ BasicRegion<axes> operator-(BasicRegion<axes>,
                             BasicRegion<axes>);  ///< what is in the first and not in the second
 template <int axes>
 BasicRegion<axes> operator|(BasicRegion<axes>, BasicRegion<axes>);  ///< what is in one of them, or in both
+template <int axes>
+BasicRegion<axes> operator&(BasicRegion<axes>, BasicRegion<axes>);  ///< what is in both
 
 }  // namespace mpm

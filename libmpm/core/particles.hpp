@@ -31,6 +31,8 @@ struct BasicParticles {
   /// Where the particles of each material end: those of material m are next to each other and begin where
   /// those of m - 1 end. Empty: all are of material 0.
   std::vector<std::size_t> material_ends;
+  /// Where the particles of each body of a composed scene end, likewise. Empty: all are of one body.
+  std::vector<std::size_t> body_ends;
   /// Velocity gradient that the particle carries [1/s], and the kinetic energy of that motion [J/kg]; empty
   /// with transfers that carry none (Apic).
   std::vector<Mat<axes>> affine;

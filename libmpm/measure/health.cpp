@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
@@ -50,6 +51,23 @@ bool is_finite(const BasicParticles<axes>& ps, std::size_t p) {
          std::isfinite(ps.pressure[p]) && std::isfinite(ps.energy[p]);
 }
 
+/// From x to the nearest open face [m].
+template <int axes>
+double way_to_open_face(const BasicState<axes>& s, const Vec<axes>& x) {
+  const auto& grid = s.grid;
+  const Vec<axes> from = x - grid.origin();
+  double way = std::numeric_limits<double>::infinity();
+  const auto look = [&](bool open, double to) { way = open ? std::min(way, to) : way; };
+  look(s.floor == Floor::open, from.y());
+  look(s.open.left, from.x());
+  look(s.open.right, grid.columns() * grid.cell().x() - from.x());
+  if constexpr (axes == 3) {
+    look(s.open.front, from.z());
+    look(s.open.back, grid.slices() * grid.cell().z() - from.z());
+  }
+  return way;
+}
+
 /// The particle that stands out in what is wrong.
 template <int axes>
 std::size_t worst_particle(typename BasicHealth<axes>::Trouble trouble, const BasicState<axes>& s) {
@@ -63,6 +81,8 @@ std::size_t worst_particle(typename BasicHealth<axes>::Trouble trouble, const Ba
         return std::max(ps.dilation[p] / most_dilation, ps.dilation[p] / least_dilation);
       case Trouble::pressure:
         return ps.pressure[p];
+      case Trouble::open_face:
+        return -way_to_open_face(s, ps.position[p]);
       default:
         return ps.velocity[p].squaredNorm();
     }
@@ -82,6 +102,8 @@ std::string_view advice(Trouble trouble) {
              "that is valid further";
     case Trouble::density:
       return "try a smaller cfl, a smaller cell_size, or tension = \"cutoff\" where the material is torn";
+    case Trouble::open_face:
+      return "make the box larger on that side, or the run shorter";
     default:
       return "try a smaller cfl, or a larger linear_viscosity";
   }
@@ -115,6 +137,7 @@ void BasicHealth<axes>::after_step(const State&, const StepReport& report, doubl
 template <int axes>
 typename BasicHealth<axes>::Trouble BasicHealth<axes>::trouble(double energy_error) const {
   if (!std::isfinite(last_.largest_signal)) return Trouble::not_finite;
+  if (last_.at_open_face) return Trouble::open_face;
   if (last_.smallest_dilation < crushed || last_.overstrained_mass > most_beyond * mass_)
     return Trouble::density;
   if (last_.overpressed_mass > most_beyond * mass_) return Trouble::pressure;
@@ -134,6 +157,9 @@ std::string BasicHealth<axes>::describe(Trouble trouble, const State& s, double 
       return {};
     case Trouble::not_finite:
       text << "a particle's state is not finite, or a particle left the grid";
+      break;
+    case Trouble::open_face:
+      text << "a body has reached an open face of the box";
       break;
     case Trouble::density:
       text << "density left its range: rho0/rho from " << 1 + last_.smallest_dilation << " to "

@@ -10,6 +10,7 @@ namespace mpm {
 ///
 /// A step is refused, and the run ends as failed, where
 ///   - a particle's state is not finite, or a particle left the grid;
+///   - a body has reached an open side or floor of the grid;
 ///   - more than 1 % of the mass is beyond the equation of state: its pressure above pressure_limit, or
 ///     rho0/rho outside [1/4, 10). Where a cavity closes, pressure is singular, and what a jet leaves behind
 ///     is vapour: single particles pass or reach these limits, and are counted as overpressed_mass_fraction
@@ -38,7 +39,7 @@ class BasicHealth : public BasicMeasurement<axes> {
   void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
 
-  enum class Trouble { none, not_finite, density, pressure, signal, time_step, growth, energy };
+  enum class Trouble { none, not_finite, density, pressure, signal, time_step, growth, energy, open_face };
   /// What is wrong after the last step.
   Trouble trouble(double energy_error) const;
   /// Says so: the limit, the step, the time, the particle where it is worst with its place and state, and

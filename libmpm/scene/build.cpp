@@ -15,6 +15,19 @@ BasicState<3> nothing_yet(const Scene&, const BasicLattice<3>& l, Floor floor) {
   return empty_state(l.origin, l.cell, l.columns, l.slices, floor);
 }
 
+template <int axes>
+BasicState<axes> one_body(const Scene& s) {
+  const Kind& kind = kind_of(s);
+  const BasicLattice<axes> l = kind.in<axes>().lattice(s);
+  BasicState<axes> state = nothing_yet(s, l, kind.floor(s));
+  const auto cells =
+      static_cast<std::size_t>(l.columns * l.rows) * static_cast<std::size_t>(axes == 2 ? 1 : l.slices);
+  state.particles.reserve(cells * static_cast<std::size_t>(s.numerics.particles_per_cell));
+  fill_rows(state, kind.in<axes>().body(s, l), s.material.reference_density,
+            particles_per_edge(s.numerics, axes), l.empty_rows, l.rows);
+  return state;
+}
+
 }  // namespace
 
 template <int axes>
@@ -24,15 +37,8 @@ BasicLattice<axes> lattice_of(const Scene& s) {
 
 template <int axes>
 BasicState<axes> build_state(const Scene& s) {
-  const Kind& kind = kind_of(s);
-  const BasicLattice<axes> l = lattice_of<axes>(s);
-  BasicState<axes> state = nothing_yet(s, l, kind.floor(s));
-  const auto cells =
-      static_cast<std::size_t>(l.columns * l.rows) * static_cast<std::size_t>(axes == 2 ? 1 : l.slices);
-  state.particles.reserve(cells * static_cast<std::size_t>(s.numerics.particles_per_cell));
-  fill_rows(state, kind.in<axes>().body(s, l), s.material.reference_density,
-            particles_per_edge(s.numerics, axes), l.empty_rows, l.rows);
-  state.particles.keep(state_columns(s.material));
+  BasicState<axes> state = kind_of(s).in<axes>().state ? kind_of(s).in<axes>().state(s) : one_body<axes>(s);
+  for (std::size_t m = 0; m < material_count(s); ++m) state.particles.keep(state_columns(material_of(s, m)));
   return state;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libmpm/material/material.hpp"
+#include "libmpm/scene/composition.hpp"
 #include "libmpm/scene/kinds/list.hpp"
 #include "libmpm/space/space.hpp"
 
@@ -93,8 +94,8 @@ struct Measures {
 struct Scene {
   SceneKind kind = SceneKind::cavity_impact;
   Material material;
-  /// Of bodies of one's own alone (fill() and Simulation(scene, body)): materials 1, 2, ... beside
-  /// `material`, which is number 0. See BasicParticles::material_ends.
+  /// Materials 1, 2, ... beside `material`, which is number 0 (BasicParticles::material_ends): of the kind
+  /// "bodies", and of bodies of one's own (fill() and Simulation(scene, body)).
   std::vector<Material> other_materials;
   double impact_speed = 0;          ///< u [m/s], > 0
   double block_width = 0;           ///< W [m], the full width also when half of it is modelled
@@ -106,6 +107,7 @@ struct Scene {
   double inner_speed = 0;           ///< u0, inwards, at the inner radius [m/s], > 0
   double end_time = 0;              ///< [s]
   Space space = Space::plane_strain;
+  Composition composition;  ///< of the kind "bodies"
   Numerics numerics;
   Measures measures;
 };

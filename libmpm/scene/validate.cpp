@@ -85,6 +85,20 @@ void check_numerics(const Scene& s, Report& report) {
   check_material(s.material, report);
 }
 
+/// What is wrong with the materials beside the first.
+void check_other_materials(const Scene& s, Report& report) {
+  for (const Material& m : s.other_materials) {
+    Scene alone = s;
+    alone.material = m;
+    Report of_material(alone);
+    check_ranges(alone, of_material, [](const Quantity& q) { return q.section == Section::material; });
+    check_model(alone, of_material);
+    check_material(m, of_material);
+    for (const Problem& problem : of_material.take())
+      report.add_other(problem.parameter + " of " + m.name, problem.value, problem.allowed);
+  }
+}
+
 /// Words that exclude each other.
 void check_choices(const Scene& s, Report& report) {
   const Numerics& n = s.numerics;
@@ -135,8 +149,9 @@ std::vector<Problem> find_problems(const Scene& s) {
   Report report(s);
   check_ranges(s, report, [&](const Quantity& q) { return q.belongs_to(s.kind); });
   check_model(s, report);
+  check_other_materials(s, report);
   if (!report.empty()) return report.take();  // what follows compares numbers that have to be numbers
-  if (s.space == Space::three_d && !kind_of(s).of_three_axes.body)
+  if (s.space == Space::three_d && !kind_of(s).of_three_axes.is_there())
     report.add_choice("space", "\"plane-strain\" or \"axisymmetric\": " + std::string(kind_of(s).name) +
                                    " is not there in three dimensions");
   if (!report.empty()) return report.take();
@@ -201,24 +216,6 @@ void check_body(const Scene& s, const BasicState<axes>& body, Report& report) {
   const double ratio = s.numerics.cell_size / grid.cell().minCoeff();
   report.require(ratio > 0.5 && ratio < 2, "cell_size",
                  "about the smaller edge of the grid's cells (" + text_of(grid.cell().minCoeff()) + " m)");
-}
-
-}  // namespace
-
-namespace {
-
-/// What is wrong with the materials beside the first.
-void check_other_materials(const Scene& s, Report& report) {
-  for (const Material& m : s.other_materials) {
-    Scene alone = s;
-    alone.material = m;
-    Report of_material(alone);
-    check_ranges(alone, of_material, [](const Quantity& q) { return q.section == Section::material; });
-    check_model(alone, of_material);
-    check_material(m, of_material);
-    for (const Problem& problem : of_material.take())
-      report.add_other(problem.parameter + " of " + m.name, problem.value, problem.allowed);
-  }
 }
 
 }  // namespace

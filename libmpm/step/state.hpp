@@ -24,6 +24,7 @@ struct BasicStepReport {
   double kinetic_energy = 0;     ///< [J/m]
   double transfer_heat = 0;  ///< kinetic energy that the transfer took and left as heat in this step [J/m]
   Vec<axes> wall_impulse = Vec<axes>::Zero();  ///< that all walls gave in this step [kg/s]
+  bool at_open_face = false;                   ///< a body has reached an open side or floor
 };
 using StepReport = BasicStepReport<2>;
 
@@ -42,6 +43,7 @@ struct BasicState {
       hoop_rate{};  ///< v_r / r of each particle, over the last step [1/s]; empty without hoop
   /// Row of nodes along which there is a mirror above the body, for the plain step.
   std::optional<int> ceiling{};
+  OpenSides open{};
 };
 using State = BasicState<2>;
 

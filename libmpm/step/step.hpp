@@ -62,6 +62,7 @@ BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, cons
   p2g<Shape, Transfer, Space>(state.particles, grid);
   add_body_force<Shape, Space>(state, force);
   for (auto& n : grid.nodes()) n.own_mass = n.mass;
+  report.at_open_face = at_open_face(grid, state.open, state.floor, top);
   reflect_sides(grid, top);
   if (state.floor == Floor::mirror) reflect_floor(grid);
   if (state.ceiling) reflect_row(grid, *state.ceiling, Shape::reach);

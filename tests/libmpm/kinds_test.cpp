@@ -42,7 +42,8 @@ void visit_all(const Visit& visit, std::string_view names, Members&... members) 
 template <class Visit>
 void each_member(mpm::Scene& s, const Visit& visit) {
   VISIT(s, kind, material, other_materials, impact_speed, block_width, block_height, cavity_radius,
-        cavity_center_height, inner_radius, outer_radius, inner_speed, end_time, space, numerics, measures)
+        cavity_center_height, inner_radius, outer_radius, inner_speed, end_time, space, composition, numerics,
+        measures)
   VISIT(s.material, name, law, eos, strength, reference_density, youngs_modulus, poissons_ratio, yield_stress,
         hardening_modulus, hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope,
         gruneisen_gamma, specific_heat, initial_temperature, pressure_limit, tension, spall_strength,
@@ -108,9 +109,9 @@ TEST(Kinds, AreEachWhole) {
     ASSERT_TRUE(headline) << kind->name;
     EXPECT_TRUE(headline->belongs_to(kind->kind) && headline->has_interval) << kind->name;
     for (const auto function :
-         {kind->of_two_axes.size != nullptr, kind->of_two_axes.body != nullptr,
+         {kind->of_two_axes.size != nullptr, kind->of_two_axes.is_there(),
           kind->of_two_axes.lattice != nullptr, kind->of_two_axes.measurements != nullptr,
-          kind->of_three_axes.size != nullptr, kind->of_three_axes.body != nullptr,
+          kind->of_three_axes.size != nullptr, kind->of_three_axes.is_there(),
           kind->of_three_axes.lattice != nullptr, kind->of_three_axes.measurements != nullptr,
           kind->check != nullptr, kind->coarsest_cell != nullptr, kind->extent != nullptr,
           kind->fastest != nullptr, kind->floor != nullptr, kind->parts != nullptr,

@@ -42,6 +42,8 @@ std::vector<Case<axes>> cases() {
   Vec flat = Vec::Zero();
   flat[0] = 3;
   const Vec center = Vec::Constant(0.1), point = Vec::Constant(0.05);
+  mpm::Mat<axes> turn = mpm::Mat<axes>::Identity();
+  turn.template topLeftCorner<2, 2>() << std::cos(0.6), -std::sin(0.6), std::sin(0.6), std::cos(0.6);
   const auto in_block = [=](const Vec& x) {
     return ((x - low).minCoeff() >= 0) && ((high - x).minCoeff() >= 0);
   };
@@ -52,6 +54,18 @@ std::vector<Case<axes>> cases() {
       {"ball", ball(0.8), in_ball(0.8)},
       {"ellipsoid", mpm::ellipsoid<axes>(center, half),
        [=](const Vec& x) { return (x - center).cwiseQuotient(half).norm() <= 1; }},
+      {"turned ellipsoid", mpm::ellipsoid<axes>(center, half, turn),
+       [=](const Vec& x) { return (turn.transpose() * (x - center)).cwiseQuotient(half).norm() <= 1; }},
+      {"polygon", mpm::polygon<axes>({{-0.5, -0.6}, {0.7, -0.4}, {0.1, 0}, {0.6, 0.8}, {-0.5, 0.5}}),
+       [=](const Vec& x) {
+         const auto left_of = [&](Vec2 a, Vec2 b) {
+           return (b - a).x() * (x[1] - a.y()) - (b - a).y() * (x[0] - a.x()) >= 0;
+         };
+         return left_of({-0.5, -0.6}, {0.7, -0.4}) && left_of({0.6, 0.8}, {-0.5, 0.5}) && x[0] >= -0.5 &&
+                (left_of({0.7, -0.4}, {0.1, 0}) || left_of({0.1, 0}, {0.6, 0.8}));
+       }},
+      {"intersection", mpm::block<axes>(low, high) & ball(0.5),
+       [=](const Vec& x) { return in_block(x) && in_ball(0.5)(x); }},
       {"half-space", mpm::half_space<axes>(point, normal),
        [=](const Vec& x) { return normal.dot(x - point) <= 0; }},
       {"half-space above", mpm::half_space<axes>(point, -normal),
@@ -118,6 +132,11 @@ TEST(Region, LinesAndBallsSayWhatLiesInIt) {
                 across[along] = 0;
                 return way >= 0 && way <= 0.9 && across.norm() <= 0.6;
               }});
+  const Vec3 to(0.3, 0.6, 0.5), along = (to - end).normalized();
+  check<3>({"slanted cylinder", mpm::cylinder(end, to, 0.4), [=](const Vec3& x) {
+              const double way = along.dot(x - end);
+              return way >= 0 && way <= (to - end).norm() && (x - end - way * along).norm() <= 0.4;
+            }});
 }
 
 /// What a region comes to on a grid of 32 cells of edge 1 a side, with the origin in the middle.

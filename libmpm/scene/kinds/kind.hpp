@@ -43,6 +43,10 @@ struct KindIn {
   double (*size)(const Scene&, const BasicLattice<axes>&) = nullptr;
   /// Beside the balance, the health and the hot spots of a run.
   BasicMeasurements<axes> (*measurements)(const Scene&, const BasicState<axes>&) = nullptr;
+  /// In place of `body`, where a scene is more than one body: all of it at time 0.
+  BasicState<axes> (*state)(const Scene&) = nullptr;
+
+  bool is_there() const { return body || state; }
 };
 
 /// The pressure of a scene that has no planar shock.

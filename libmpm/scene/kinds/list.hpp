@@ -11,4 +11,6 @@
   /* comes at +impact_speed; they meet at y = 0, and hold together there once they have met. */     \
   KIND(two_body_impact)                                                                             \
   /* A ring that nothing touches, with v(r) = -inner_speed inner_radius / r. */                     \
-  KIND(imploding_shell)
+  KIND(imploding_shell)                                                                             \
+  /* Bodies of any shape and material in a box. */                                                  \
+  KIND(bodies)

@@ -160,7 +160,7 @@ void FastStepper<Real>::sweep(Stock& stock, double dt, SweepReport& sums) {
 
 /// What the particles gave to the nodes becomes motion. Rows do not ask for each other.
 template <class Real>
-void FastStepper<Real>::move(Floor floor, double dt) {
+bool FastStepper<Real>::move(Floor floor, const OpenSides& open, double dt) {
   const Nodes<Real>& nodes = grid_->nodes();
   const auto each_row = [&](auto&& work) {
     const int rows = last_row_ - first_row_ + 1, parts = (rows + rows_of_part - 1) / rows_of_part;
@@ -173,10 +173,12 @@ void FastStepper<Real>::move(Floor floor, double dt) {
     stocks_[0].kernels.transfers.collect(nodes, first, last);
     grid_->reflect_sides(first, last);
   });
+  const bool at_open_face = grid_->at_open_face(open, floor, first_row_, last_row_);
   if (floor == Floor::mirror && first_row_ == -1) grid_->reflect_floor();
   each_row([&](int first, int last) { stocks_[0].kernels.transfers.move(nodes, first, last, dt); });
   if (floor == Floor::impact_wall && first_row_ == -1) grid_->push_off_wall();
   moved_first_ = first_row_, moved_last_ = last_row_;
+  return at_open_face;
 }
 
 template <class Real>
@@ -187,7 +189,7 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
     const auto then = std::exchange(now, Clock::now());
     on += std::chrono::duration<double>(now - then).count();
   };
-  move(state.floor, dt);
+  const bool at_open_face = move(state.floor, state.open, dt);
   spent(times_.grid);
   if (leaving_band_ || static_cast<double>(out_of_step_) > sort_cost * static_cast<double>(blocks())) {
     for (Stock& stock : stocks_) stock.blocks->sort(grid_->nodes().rows);
@@ -210,6 +212,7 @@ StepReport FastStepper<Real>::step(State& state, double dt) {
   report.overstrained_mass = unit * sums.overstrained;
   report.kinetic_energy = unit * sums.kinetic;
   report.transfer_heat = unit * sums.transfer_heat;
+  report.at_open_face = at_open_face;
   report.wall_impulse = unit * Vec2(sums.momentum_x, sums.momentum_y);
   state.time += dt;
   ++state.step;

@@ -56,7 +56,8 @@ class FastStepper : public Stepper {
   SweepReport sweep(double dt);
   void sweep(Stock&, double dt, SweepReport& sums);
   std::size_t blocks() const;  ///< of all stocks
-  void move(Floor, double dt);
+  /// Returns whether a body has reached an open face.
+  bool move(Floor, const OpenSides&, double dt);
   void use(double lowest_node, double highest_node);
 
   Space space_;

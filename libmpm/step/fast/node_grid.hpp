@@ -1,4 +1,5 @@
 #pragma once
+#include "libmpm/boundary/mirror.hpp"
 #include "libmpm/core/grid.hpp"
 #include "libmpm/step/fast/aligned_array.hpp"
 #include "libmpm/step/fast/kernels.hpp"
@@ -18,6 +19,8 @@ class NodeGrid {
 
   /// Side walls as mirrors (boundary/mirror.hpp), before momentum and force become motion.
   void reflect_sides(int first_row, int last_row);
+  /// Whether a body gives mass to the nodes of an open side in these rows, or of an open floor.
+  bool at_open_face(const OpenSides&, Floor, int first_row, int last_row);
   /// The floor as a mirror, after them.
   void reflect_floor();
   /// The impact wall (boundary/impact_wall.hpp), afterwards. The heat of the contact is left in

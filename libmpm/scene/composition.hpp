@@ -1,0 +1,83 @@
+#pragma once
+/// What a scene of the kind "bodies" is made of, as plain data in SI units.
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "libmpm/body/region.hpp"
+#include "libmpm/core/enumerators.hpp"
+#include "libmpm/core/tensor.hpp"
+
+namespace mpm {
+
+/// A region (body/region.hpp) as data. Of two axes z is 0 and means nothing, but for a prism.
+struct Shape {
+  enum class Form {
+    block,         ///< low corner, high corner
+    ball,          ///< centre, radius; of two axes a disc
+    ellipsoid,     ///< centre, half axes
+    cylinder,      ///< centre of one end, of the other, radius; of three axes
+    polygon,       ///< corners (x, y) in turn; of three axes the prism along z
+    half_space,    ///< a point of the plane, and the direction that points away from the half space
+    together,      ///< what is in one of the parts
+    difference,    ///< what is in the first part and in no other
+    intersection,  ///< what is in all parts
+  };
+  Form form = Form::block;
+  std::vector<double> numbers;  ///< in the order above, points as (x, y, z) [m]
+  std::vector<Shape> parts;
+  /// Of the shape, after it is made: x -> rotation x + shift [m].
+  Mat3 rotation = Mat3::Identity();
+  Vec3 shift = Vec3::Zero();
+};
+inline constexpr auto shape_forms = words<Shape::Form>({{Shape::Form::block, "block"},
+                                                        {Shape::Form::ball, "ball"},
+                                                        {Shape::Form::ellipsoid, "ellipsoid"},
+                                                        {Shape::Form::cylinder, "cylinder"},
+                                                        {Shape::Form::polygon, "polygon"},
+                                                        {Shape::Form::half_space, "half-space"},
+                                                        {Shape::Form::together, "union"},
+                                                        {Shape::Form::difference, "minus"},
+                                                        {Shape::Form::intersection, "intersection"}});
+
+/// The region that it is. The numbers are as many as the form has.
+template <int axes>
+BasicRegion<axes> region_of(const Shape&);
+
+/// A region, its material, and how it moves at time 0. Bodies that touch are welded: they share the grid.
+struct ComposedBody {
+  std::string name;
+  Shape shape;
+  std::size_t material = 0;      ///< number in the scene, see material_of()
+  Vec3 velocity = Vec3::Zero();  ///< [m/s]
+  double spin = 0;               ///< angular velocity about the line along z through `about` [rad/s]
+  Vec3 about = Vec3::Zero();     ///< [m]
+};
+
+/// What is at a side of the box.
+enum class Face {
+  open,    ///< nothing; a run ends where a body reaches it, but above
+  mirror,  ///< rigid, frictionless, holds what touches it; what lies behind is the image
+  wall,    ///< below only: rigid, frictionless, lets go
+};
+inline constexpr auto face_words =
+    words<Face>({{Face::open, "open"}, {Face::mirror, "mirror"}, {Face::wall, "wall"}});
+
+enum class Side { left, right, bottom, top, front, back };
+inline constexpr auto side_words = words<Side>({{Side::left, "left"},
+                                                {Side::right, "right"},
+                                                {Side::bottom, "bottom"},
+                                                {Side::top, "top"},
+                                                {Side::front, "front"},
+                                                {Side::back, "back"}});
+
+struct Composition {
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< corners of the box that the bodies lie in [m]
+  std::array<Face, 6> faces{};                   ///< in the order of Side; front and back of three axes
+  std::vector<ComposedBody> bodies;              ///< in the order of their materials
+
+  Face face(Side side) const { return faces[static_cast<std::size_t>(side)]; }
+};
+
+}  // namespace mpm

@@ -1,0 +1,293 @@
+// Bodies of any shape and material in a box, as the scene's composition says.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "libmpm/core/errors.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
+
+namespace mpm {
+namespace {
+
+/// Between an open face of the box and the mirror that stands for it. Wide enough for the support of a
+/// particle in the box.
+constexpr int spare_cells = 3;
+/// Two mirrors with fewer between them share nodes.
+constexpr int fewest_cells = 3;
+/// What is looked at before a run starts is looked at on no more cells than these along an edge.
+constexpr double look_cells(int axes) { return axes == 2 ? 96 : 32; }
+
+bool is_open(const Scene& s, Side side) { return s.composition.face(side) == Face::open; }
+
+/// How a box is cut along one axis.
+struct Cut {
+  double cell;
+  int before, within, behind;  ///< cells; before and behind: those beyond open faces
+  int all() const { return before + within + behind; }
+};
+Cut cut(const Scene& s, int axis, Side low, Side high) {
+  const double length = s.composition.high[axis] - s.composition.low[axis];
+  const int within = std::max(1, static_cast<int>(std::lround(length / s.numerics.cell_size)));
+  return {length / within, is_open(s, low) ? spare_cells : 0, within, is_open(s, high) ? spare_cells : 0};
+}
+Cut across(const Scene& s) { return cut(s, 0, Side::left, Side::right); }
+Cut deep(const Scene& s) { return cut(s, 2, Side::front, Side::back); }
+/// The grid has as many rows above the box as its bodies ask for.
+Cut upwards(const Scene& s) {
+  Cut c = cut(s, 1, Side::bottom, Side::top);
+  c.behind = 0;
+  return c;
+}
+
+template <int axes>
+BasicLattice<axes> lattice(const Scene& s) {
+  const Composition& all = s.composition;
+  const Cut x = across(s), y = upwards(s);
+  BasicLattice<axes> l;
+  l.cell.template head<2>() = Vec2(x.cell, y.cell);
+  l.origin = all.low.head<axes>();
+  l.origin.x() -= x.before * x.cell, l.origin.y() -= y.before * y.cell;
+  l.columns = x.all(), l.rows = y.all();
+  l.empty_rows = y.before;
+  l.width = all.high.x() - all.low.x();
+  l.center = 0.5 * (all.low + all.high).head<axes>();
+  if constexpr (axes == 3) {
+    const Cut z = deep(s);
+    l.cell.z() = z.cell, l.slices = z.all();
+    l.origin.z() -= z.before * z.cell;
+  }
+  return l;
+}
+
+Floor floor(const Scene& s) {
+  switch (s.composition.face(Side::bottom)) {
+    case Face::mirror:
+      return Floor::mirror;
+    case Face::wall:
+      return Floor::impact_wall;
+    case Face::open:
+      break;
+  }
+  return Floor::open;
+}
+
+template <int axes>
+BasicBody<axes> body_of(const Composition& all, const ComposedBody& b) {
+  const auto velocity = [v = b.velocity, spin = b.spin, about = b.about](const Vec<axes>& x) {
+    const Vec2 arm = x.template head<2>() - about.head<2>();
+    Vec3 here = v;
+    here.head<2>() += spin * Vec2(-arm.y(), arm.x());
+    return Vec<axes>(here.head<axes>());
+  };
+  const Vec<axes> low = all.low.head<axes>(), high = all.high.head<axes>();
+  return {region_of<axes>(b.shape) & block<axes>(low, high), velocity};
+}
+
+template <int axes>
+BasicState<axes> empty(const Scene& s, const BasicLattice<axes>& l) {
+  if constexpr (axes == 2)
+    return empty_state(l.origin, l.cell, l.columns, floor(s), s.space);
+  else
+    return empty_state(l.origin, l.cell, l.columns, l.slices, floor(s));
+}
+
+template <int axes>
+BasicState<axes> state(const Scene& s) {
+  const BasicLattice<axes> l = lattice<axes>(s);
+  BasicState<axes> state = empty<axes>(s, l);
+  state.open = {is_open(s, Side::left), is_open(s, Side::right), is_open(s, Side::front),
+                is_open(s, Side::back)};
+  if (s.composition.face(Side::top) == Face::mirror) state.ceiling = l.rows;
+  for (const ComposedBody& b : s.composition.bodies) {
+    try {
+      fill(state, body_of<axes>(s.composition, b), s, b.material);
+    } catch (const InputError& error) {
+      throw InputError("body \"" + b.name + "\": " + error.what());
+    }
+    state.particles.body_ends.push_back(state.particles.size());
+  }
+  return state;
+}
+
+/// The scene on cells that are few enough to be filled when it is only looked at.
+Scene coarse(Scene s) {
+  const Composition& all = s.composition;
+  const double largest = (all.high - all.low).maxCoeff();
+  s.numerics.cell_size = std::max(s.numerics.cell_size, largest / look_cells(axes_of(s.space)));
+  return s;
+}
+
+template <int axes>
+double size(const Scene& s, const BasicLattice<axes>&) {
+  const BasicState<axes> looked_at = state<axes>(coarse(s));
+  double sum = 0;
+  for (std::size_t p = 0; p < looked_at.particles.size(); ++p) sum += filled(looked_at, p);
+  return sum;
+}
+
+/// The forms that a space has not, in the words of study files.
+std::string refusal_of_form(const Shape& shape, Space space) {
+  if (shape.form == Shape::Form::cylinder && space != Space::three_d)
+    return space == Space::axisymmetric ? "a block from x = 0 on, which is a cylinder about the axis"
+                                        : "a ball, which is a cylinder along z in plane strain";
+  for (const Shape& part : shape.parts)
+    if (std::string refusal = refusal_of_form(part, space); !refusal.empty()) return refusal;
+  return {};
+}
+
+std::string vector_text(const Vec3& v, int axes, const char* unit) {
+  std::string text;
+  for (int k = 0; k < axes; ++k) text += (k == 0 ? "" : ", ") + text_of(v[k]);
+  return "(" + text + ") " + unit;
+}
+
+void check_box(const Scene& s, Report& report) {
+  const Composition& all = s.composition;
+  const int axes = axes_of(s.space);
+  for (int k = 0; k < axes; ++k)
+    if (!(all.high[k] > all.low[k]))
+      report.add_other("box", vector_text(all.high, axes, "m"),
+                       "high above low = " + vector_text(all.low, axes, "m") + " along each axis");
+  if (s.space == Space::axisymmetric && all.low.x() != 0)
+    report.add_other("box", "low x = " + text_of(all.low.x()) + " m",
+                     "from x = 0 on, the axis, when space is \"axisymmetric\"");
+  if (s.space == Space::axisymmetric && is_open(s, Side::left))
+    report.add_other("faces.left", "open", "\"mirror\" when space is \"axisymmetric\": it is the axis");
+  for (const Side side : {Side::left, Side::right, Side::top, Side::front, Side::back})
+    if (all.face(side) == Face::wall)
+      report.add_other("faces." + std::string(side_words[static_cast<std::size_t>(side)]), "wall",
+                       "\"mirror\" or \"open\": a wall that lets go is there at the bottom only");
+  if (all.face(Side::top) == Face::mirror && s.numerics.kernel != Kernel::reference)
+    report.add_other("faces.top", "mirror",
+                     "\"open\", or kernel = \"reference\": the fast step has no mirror there");
+  if (!report.empty()) return;
+  constexpr double most_cells = 1e9;
+  const double h = s.numerics.cell_size;
+  double cells = 1;
+  for (int k = 0; k < axes; ++k) cells *= (all.high[k] - all.low[k]) / h;
+  report.require(cells <= most_cells, "cell_size",
+                 "large enough for at most 1e9 cells of the box (these would be " + text_of(cells) + ")");
+  if (!report.empty()) return;
+  if (across(s).all() < fewest_cells || (axes == 3 && deep(s).all() < fewest_cells))
+    report.require(false, "cell_size", "small enough for 3 cells between the sides of the box");
+}
+
+void check_bodies(const Scene& s, Report& report) {
+  const Composition& all = s.composition;
+  if (all.bodies.empty()) report.add_other("body", "none", "a scene of one body or more");
+  std::set<std::string> names;
+  std::size_t material = 0;
+  bool moves = false;
+  for (const ComposedBody& b : all.bodies) {
+    const std::string what = "body " + b.name;
+    if (!names.insert(b.name).second) report.add_other(what, "named twice", "bodies with names of their own");
+    if (b.material < material || b.material >= material_count(s))
+      report.add_other(what, "material " + std::to_string(b.material),
+                       "of the materials of the scene, bodies in their order");
+    material = b.material;
+    moves = moves || b.velocity.norm() > 0 || b.spin != 0;
+    if (const std::string instead = refusal_of_form(b.shape, s.space); !instead.empty())
+      report.add_other(what + ", shape", "cylinder", instead);
+    if (s.space == Space::axisymmetric && (b.velocity.x() != 0 || b.spin != 0))
+      report.add_other(what + ", velocity", vector_text(b.velocity, 2, "m/s"),
+                       "along y, without a spin, when space is \"axisymmetric\"");
+  }
+  if (!all.bodies.empty() && !moves)
+    report.add_other("body", "nothing moves", "scenes in which a body has a velocity or a spin");
+}
+
+/// What only bodies that are filled show: that they overlap, or are not there.
+template <int axes>
+void check_filled(const Scene& s, Report& report) {
+  try {
+    state<axes>(coarse(s));
+  } catch (const InputError& error) {
+    report.add_other("body", "cannot be filled", error.what());
+  }
+}
+
+void check(const Scene& s, Report& report) {
+  check_box(s, report);
+  check_bodies(s, report);
+  if (report.empty()) axes_of(s.space) == 2 ? check_filled<2>(s, report) : check_filled<3>(s, report);
+}
+
+Extent extent(const Scene& s) {
+  const Vec3 edges = s.composition.high - s.composition.low;
+  return {edges.x(), edges.y(), edges.z()};
+}
+
+double fastest(const Scene& s) {
+  const Vec3 edges = s.composition.high - s.composition.low;
+  double most = 0;
+  for (const ComposedBody& b : s.composition.bodies)
+    most = std::max(most, b.velocity.norm() + std::abs(b.spin) * edges.head<2>().norm());
+  return most;
+}
+
+/// Of what a shape is made of, the smallest length across [m].
+double smallest_length(const Shape& shape, int axes) {
+  const std::vector<double>& n = shape.numbers;
+  const auto point = [&](std::size_t at) { return Vec3(n[at], n[at + 1], n[at + 2]); };
+  double least = std::numeric_limits<double>::infinity();
+  switch (shape.form) {
+    case Shape::Form::block:
+      return (point(3) - point(0)).head(axes).minCoeff();
+    case Shape::Form::ball:
+      return 2 * n[3];
+    case Shape::Form::ellipsoid:
+      return 2 * point(3).head(axes).minCoeff();
+    case Shape::Form::cylinder:
+      return std::min((point(3) - point(0)).norm(), 2 * n[6]);
+    default:
+      for (const Shape& part : shape.parts) least = std::min(least, smallest_length(part, axes));
+      return least;
+  }
+}
+
+double coarsest_cell(const Scene& s) {
+  const int axes = axes_of(s.space);
+  double least = (s.composition.high - s.composition.low).head(axes).minCoeff() / 8;
+  for (const ComposedBody& b : s.composition.bodies)
+    least = std::min(least, smallest_length(b.shape, axes) / 6);
+  return least;
+}
+
+std::vector<Part> parts(const Scene&) { return {}; }
+
+template <int axes>
+BasicMeasurements<axes> measurements(const Scene&, const BasicState<axes>&) {
+  return {};
+}
+
+void set_default_numerics(Numerics& n) {
+  n.scheme = ShapeFunction::bspline2;
+  n.particles_per_cell = 4;
+  n.linear_viscosity = 0.5;
+}
+
+template <int axes>
+constexpr KindIn<axes> in_axes{
+    .lattice = lattice<axes>, .size = size<axes>, .measurements = measurements<axes>, .state = state<axes>};
+
+}  // namespace
+
+extern constinit const Kind bodies{
+    .kind = SceneKind::bodies,
+    .name = "bodies",
+    .quantities = {},
+    .headline = "hot_spot_temperature_K",
+    .set_default_numerics = set_default_numerics,
+    .check = check,
+    .extent = extent,
+    .floor = floor,
+    .fastest = fastest,
+    .coarsest_cell = coarsest_cell,
+    .parts = parts,
+    .of_two_axes = in_axes<2>,
+    .of_three_axes = in_axes<3>,
+};
+
+}  // namespace mpm

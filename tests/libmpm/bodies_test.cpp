@@ -1,0 +1,209 @@
+// Scenes that are composed of bodies.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "libmpm/scene/build.hpp"
+#include "libmpm/simulation.hpp"
+#include "tests/libmpm/scenes.hpp"
+
+namespace {
+
+using mpm::Face;
+using mpm::Shape;
+using mpm::Side;
+using mpm::Vec3;
+using testing::HasSubstr;
+
+Shape block(const Vec3& low, const Vec3& high) {
+  return {Shape::Form::block, {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()}, {}};
+}
+Shape ball(const Vec3& center, double radius) {
+  return {Shape::Form::ball, {center.x(), center.y(), center.z(), radius}, {}};
+}
+Shape minus(Shape a, Shape b) { return {Shape::Form::difference, {}, {std::move(a), std::move(b)}}; }
+
+Face& face(mpm::Scene& s, Side side) { return s.composition.faces[static_cast<std::size_t>(side)]; }
+
+/// The scene of a kind with a block, as a composition without bodies: the same box, walls and numerics.
+mpm::Scene boxed(mpm::Scene s) {
+  s.kind = mpm::SceneKind::bodies;
+  s.composition.high = {s.block_width / 2, s.block_height, s.block_width / 2};
+  face(s, Side::left) = face(s, Side::right) = face(s, Side::front) = face(s, Side::back) = Face::mirror;
+  face(s, Side::bottom) = Face::wall;
+  return s;
+}
+
+template <int axes>
+void expect_same_body(const mpm::Scene& a, const mpm::Scene& b) {
+  const auto one = mpm::build_state<axes>(a), other = mpm::build_state<axes>(b);
+  ASSERT_EQ(one.particles.size(), other.particles.size());
+  EXPECT_EQ(one.grid.columns(), other.grid.columns());
+  EXPECT_EQ(one.grid.cell(), other.grid.cell());
+  const double h = a.numerics.cell_size;
+  for (std::size_t p = 0; p < one.particles.size(); ++p) {
+    EXPECT_LT((one.particles.position[p] - other.particles.position[p]).norm(), 1e-9 * h);
+    EXPECT_NEAR(other.particles.mass[p] / one.particles.mass[p], 1, 1e-9);
+    EXPECT_EQ(one.particles.velocity[p], other.particles.velocity[p]);
+  }
+}
+
+/// What both runs measure comes out the same.
+void expect_same_numbers(const mpm::Scene& a, const mpm::Scene& b) {
+  const mpm::RunResult one = mpm::run(a), other = mpm::run(b);
+  ASSERT_EQ(one.status, mpm::RunStatus::done) << one.reason;
+  ASSERT_EQ(other.status, mpm::RunStatus::done) << other.reason;
+  EXPECT_EQ(one.steps, other.steps);
+  EXPECT_GT(other.metrics.size(), 8u);
+  for (const mpm::Metric& metric : other.metrics) {
+    if (metric.name.starts_with("energy_error")) continue;  // is rounding
+    EXPECT_NEAR(metric.value, one.find(metric.name)->value, 1e-9 * std::abs(metric.value)) << metric.name;
+  }
+}
+
+TEST(Bodies, ACavityImpactWrittenOutIsTheSame) {
+  for (const mpm::Space space : {mpm::Space::plane_strain, mpm::Space::axisymmetric}) {
+    mpm::Scene kind = scenes::cavity(0.2e-6);
+    kind.space = space;
+    kind.end_time = 1e-9;
+    mpm::Scene s = boxed(kind);
+    s.composition.bodies = {{"block",
+                             minus(block(s.composition.low, s.composition.high),
+                                   ball({0, kind.cavity_center_height, 0}, kind.cavity_radius)),
+                             0,
+                             {0, -kind.impact_speed, 0}}};
+    expect_same_body<2>(kind, s);
+    expect_same_numbers(kind, s);
+  }
+}
+
+TEST(Bodies, OfThreeAxesToo) {
+  mpm::Scene kind = scenes::cavity(0.5e-6);
+  kind.space = mpm::Space::three_d;
+  kind.numerics = mpm::default_numerics(kind.kind, kind.space);
+  kind.numerics.cell_size = 0.5e-6;
+  mpm::Scene s = boxed(kind);
+  s.composition.bodies = {{"block",
+                           minus(block(s.composition.low, s.composition.high),
+                                 ball({0, kind.cavity_center_height, 0}, kind.cavity_radius)),
+                           0,
+                           {0, -kind.impact_speed, 0}}};
+  expect_same_body<3>(kind, s);
+}
+
+TEST(Bodies, TwoBodiesWrittenOutAreTheSame) {
+  mpm::Scene kind = scenes::cavity(0.2e-6);
+  kind.kind = mpm::SceneKind::two_body_impact;
+  kind.end_time = 1e-9;
+  mpm::Scene s = boxed(kind);
+  s.composition.low.y() = -1.25 * kind.block_height;
+  face(s, Side::bottom) = Face::open;
+  const Vec3 high = s.composition.high;
+  s.composition.bodies = {
+      {"flyer",
+       minus(block({0, 0, 0}, high), ball({0, kind.cavity_center_height, 0}, kind.cavity_radius)),
+       0,
+       {0, -kind.impact_speed, 0}},
+      {"struck", block({0, -kind.block_height, 0}, {high.x(), 0, 0}), 0, {0, kind.impact_speed, 0}}};
+  const mpm::RunResult one = mpm::run(kind), other = mpm::run(s);
+  ASSERT_EQ(other.status, mpm::RunStatus::done) << other.reason;
+  EXPECT_EQ(one.steps, other.steps);
+  for (const char* name : {"hot_spot_temperature_K", "hot_spot_work_J_m3", "largest_density_ratio"})
+    EXPECT_NEAR(other.find(name)->value / one.find(name)->value, 1, 1e-6) << name;
+}
+
+/// A ball that flies to the right.
+mpm::Scene flight(mpm::Kernel kernel) {
+  mpm::Scene s = boxed(scenes::cavity(0.2e-6));
+  s.numerics.kernel = kernel;
+  s.composition.high = {8e-6, 4e-6, 0};
+  s.composition.faces = {};
+  s.composition.bodies = {{"ball", ball({2e-6, 2e-6, 0}, 1e-6), 0, {500, 0, 0}}};
+  s.end_time = 8e-9;
+  s.measures.area_every = s.end_time / 20;
+  return s;
+}
+
+TEST(Bodies, FlyFreelyBetweenOpenFaces) {
+  for (const mpm::Kernel kernel : {mpm::Kernel::fast, mpm::Kernel::reference}) {
+    mpm::Simulation simulation(flight(kernel));
+    EXPECT_EQ(simulation.run().status, mpm::RunStatus::done);
+    double x = 0, mass = 0;
+    const auto& ps = simulation.state().particles;
+    for (std::size_t p = 0; p < ps.size(); ++p) x += ps.mass[p] * ps.position[p].x(), mass += ps.mass[p];
+    EXPECT_NEAR(x / mass, 6e-6, 1e-12);
+  }
+}
+
+TEST(Bodies, EndARunWhereTheyReachAnOpenFace) {
+  for (const mpm::Kernel kernel : {mpm::Kernel::fast, mpm::Kernel::reference})
+    for (const Vec3& velocity : {Vec3(500, 0, 0), Vec3(-500, 0, 0), Vec3(0, -500, 0)}) {
+      mpm::Scene s = flight(kernel);
+      s.composition.bodies[0].velocity = velocity;
+      s.end_time = 20e-9;
+      const mpm::RunResult r = mpm::run(s);
+      EXPECT_EQ(r.status, mpm::RunStatus::failed);
+      EXPECT_THAT(r.reason, HasSubstr("a body has reached an open face of the box"));
+    }
+}
+
+TEST(Bodies, TurnAsTheirSpinSays) {
+  mpm::Scene s = flight(mpm::Kernel::fast);
+  s.composition.bodies[0].spin = 1e7;
+  s.composition.bodies[0].about = {2e-6, 2e-6, 0};
+  const mpm::State state = mpm::build_state(s);
+  for (std::size_t p = 0; p < state.particles.size(); ++p) {
+    const mpm::Vec2 arm = state.particles.position[p] - mpm::Vec2(2e-6, 2e-6);
+    EXPECT_NEAR(state.particles.velocity[p].x(), 500 - 1e7 * arm.y(), 1e-9);
+    EXPECT_NEAR(state.particles.velocity[p].y(), 1e7 * arm.x(), 1e-9);
+  }
+}
+
+/// "parameter = value: must be allowed" of all that is wrong.
+std::string problems(const mpm::Scene& s) {
+  std::string text;
+  for (const mpm::Problem& p : mpm::find_problems(s))
+    text += p.parameter + " = " + p.value + ": must be " + p.allowed + "\n";
+  return text;
+}
+
+TEST(Bodies, SayWhatIsWrong) {
+  const mpm::Scene good = flight(mpm::Kernel::fast);
+  EXPECT_EQ(problems(good), "");
+  mpm::Scene s = good;
+  s.composition.bodies.clear();
+  EXPECT_THAT(problems(s), HasSubstr("body = none: must be a scene of one body or more"));
+  s = good;
+  s.composition.bodies.push_back(s.composition.bodies[0]);
+  EXPECT_THAT(problems(s), HasSubstr("body ball = named twice"));
+  s.composition.bodies[1].name = "other";
+  EXPECT_THAT(problems(s), HasSubstr("two bodies overlap at x = "));
+  s = good;
+  s.composition.bodies[0].shape = ball({20e-6, 2e-6, 0}, 1e-6);
+  EXPECT_THAT(problems(s), HasSubstr("body \"ball\": a body lies outside of the grid"));
+  s = good;
+  s.composition.bodies[0].velocity = Vec3::Zero();
+  EXPECT_THAT(problems(s), HasSubstr("nothing moves"));
+  s = good;
+  s.composition.bodies[0].shape = {Shape::Form::cylinder, {0, 0, 0, 0, 1e-6, 0, 1e-6}, {}};
+  EXPECT_THAT(problems(s), HasSubstr("shape = cylinder: must be a ball"));
+  s = good;
+  s.space = mpm::Space::axisymmetric;
+  EXPECT_THAT(problems(s), HasSubstr("faces.left = open: must be \"mirror\" when space is"));
+  EXPECT_THAT(problems(s), HasSubstr("along y, without a spin"));
+  s = good;
+  face(s, Side::right) = Face::wall;
+  EXPECT_THAT(problems(s), HasSubstr("faces.right = wall"));
+  s = good;
+  face(s, Side::top) = Face::mirror;
+  EXPECT_THAT(problems(s), HasSubstr("faces.top = mirror"));
+  s = good;
+  s.composition.high.x() = 0;
+  EXPECT_THAT(problems(s), HasSubstr("box = (0, 4e-06) m: must be high above low"));
+  s = good;
+  s.composition.bodies[0].material = 1;
+  EXPECT_THAT(problems(s), HasSubstr("body ball = material 1"));
+}
+
+}  // namespace
