@@ -20,6 +20,14 @@ struct Metric {
   std::optional<double> error;  ///< half width of its interval, same unit; empty where none is known
 };
 
+/// What a gauge of the scene saw (scene/gauge.hpp). Times at which there was nothing to see are left out.
+struct History {
+  std::string name;           ///< of the gauge
+  std::string unit;           ///< of `values`: SI; "1" for a pure number
+  std::vector<double> times;  ///< [s], ascending
+  std::vector<double> values;
+};
+
 enum class RunStatus {
   done,     ///< reached its end
   stopped,  ///< the observer said so, or the end is not reached yet
@@ -40,12 +48,19 @@ struct RunResult {
   std::optional<double> initial_area, final_area, final_area_error;  ///< [m^2]
   std::optional<double> collapsibility, collapsibility_error;        ///< (A0 - A)/A0 [1]
   std::vector<AreaSample> area_history;
+  std::vector<History> histories;  ///< one for each gauge, in their order
   std::vector<Metric> metrics;
 
   /// The metric of that name; null if the run has none.
   const Metric* find(std::string_view name) const {
     for (const Metric& m : metrics)
       if (m.name == name) return &m;
+    return nullptr;
+  }
+  /// The history of the gauge of that name; null if the scene has none.
+  const History* history(std::string_view gauge) const {
+    for (const History& h : histories)
+      if (h.name == gauge) return &h;
     return nullptr;
   }
 };

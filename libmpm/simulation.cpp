@@ -12,6 +12,7 @@
 #include "libmpm/core/errors.hpp"
 #include "libmpm/io/snapshot.hpp"
 #include "libmpm/measure/energy.hpp"
+#include "libmpm/measure/gauges.hpp"
 #include "libmpm/measure/health.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/dispatch.hpp"
@@ -264,6 +265,8 @@ BasicSimulation<axes>::BasicSimulation(const Scene& scene, State body) {
   State state = checked_body(scene, std::move(body));
   const double speed = fastest(state.particles);
   parts_ = std::make_unique<Parts>(scene, std::move(state), speed);
+  if (!scene.measures.gauges.empty())
+    parts_->measurements.push_back(std::make_unique<BasicGauges<axes>>(scene, parts_->state));
 }
 
 template <int axes>

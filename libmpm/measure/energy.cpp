@@ -44,8 +44,14 @@ std::span<const ResultRow> BasicBalance<axes>::results() {
 
 template <int axes>
 Energy energy_of(const BasicParticles<axes>& ps) {
+  return energy_of(ps, {0, ps.size()});
+}
+
+template <int axes>
+Energy energy_of(const BasicParticles<axes>& ps,
+                 const std::type_identity_t<typename BasicParticles<axes>::Range>& range) {
   Energy e;
-  for (std::size_t p = 0; p < ps.size(); ++p) {
+  for (std::size_t p = range.first; p < range.last; ++p) {
     e.kinetic += ps.kinetic_energy(p);
     e.internal += ps.mass[p] * ps.energy[p];
   }
@@ -116,6 +122,8 @@ void BasicBalance<axes>::carry(Archive& a) {
 
 template Energy energy_of(const Particles&);
 template Energy energy_of(const BasicParticles<3>&);
+template Energy energy_of(const Particles&, const Particles::Range&);
+template Energy energy_of(const BasicParticles<3>&, const BasicParticles<3>::Range&);
 template Vec2 momentum_of(const Particles&);
 template Vec3 momentum_of(const BasicParticles<3>&);
 template class BasicBalance<2>;

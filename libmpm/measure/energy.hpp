@@ -1,4 +1,6 @@
 #pragma once
+#include <type_traits>
+
 #include "libmpm/measure/measurement.hpp"
 #include "libmpm/measure/results.hpp"
 
@@ -11,6 +13,10 @@ struct Energy {
 };
 template <int axes>
 Energy energy_of(const BasicParticles<axes>&);
+/// Of some of them.
+template <int axes>
+Energy energy_of(const BasicParticles<axes>&,
+                 const std::type_identity_t<typename BasicParticles<axes>::Range>&);
 
 /// Momentum of the particles [kg/s], of three axes [kg m/s].
 template <int axes>

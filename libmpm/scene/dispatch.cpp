@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "libmpm/measure/gauges.hpp"
 #include "libmpm/measure/hot_spots.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
@@ -90,6 +91,7 @@ template <int axes>
 BasicMeasurements<axes> measurements_for(const Scene& s, const BasicState<axes>& state) {
   BasicMeasurements<axes> all = kind_of(s).in<axes>().measurements(s, state);
   all.push_back(std::make_unique<BasicHotSpots<axes>>(Temperature(s.material)));
+  if (!s.measures.gauges.empty()) all.push_back(std::make_unique<BasicGauges<axes>>(s, state));
   return all;
 }
 

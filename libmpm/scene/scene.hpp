@@ -7,6 +7,7 @@
 
 #include "libmpm/material/material.hpp"
 #include "libmpm/scene/composition.hpp"
+#include "libmpm/scene/gauge.hpp"
 #include "libmpm/scene/kinds/list.hpp"
 #include "libmpm/space/space.hpp"
 
@@ -87,6 +88,7 @@ struct Measures {
   Decides decides = Decides::collapse;
   Stop stop = Stop::end_time;
   std::vector<double> snapshots;  ///< times at which fields are handed to the observer [s], ascending
+  std::vector<Gauge> gauges;      ///< read every area_every
 };
 
 /// One fully resolved run: plain data in SI units. A length or a speed that a kind of scene does not have is

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libmpm/measure/gauges.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/effect.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
@@ -160,6 +161,7 @@ std::vector<Problem> find_problems(const Scene& s) {
   check_size(s, report);
   check_length(s, report);
   kind_of(s).check(s, report);
+  if (report.empty()) check_gauges(s, report);
   return report.take();
 }
 
@@ -231,6 +233,7 @@ std::vector<Problem> find_problems(const Scene& s, const BasicState<axes>& body)
   check_choices(s, report);
   check_length(s, report);
   check_body(s, body, report);
+  if (report.empty()) check_gauges(s, body, report);
   return report.take();
 }
 

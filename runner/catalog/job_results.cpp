@@ -45,6 +45,21 @@ std::string unit_of_metric(const std::filesystem::path& results, const std::stri
   return rows.rows.empty() ? "1" : text_of(rows.rows[0][0]);
 }
 
+mpm::History history_of_job(const std::filesystem::path& results, const std::string& key,
+                            const std::string& gauge) {
+  mpm::History history{gauge, "1", {}, {}};
+  for (const auto& row : ask(results,
+                             "SELECT time_s, value, unit FROM history WHERE key = ?1 AND name = ?2 "
+                             "ORDER BY time_s",
+                             key, gauge)
+                             .rows) {
+    history.times.push_back(number_of(row[0]).value_or(0));
+    history.values.push_back(number_of(row[1]).value_or(0));
+    history.unit = text_of(row[2]);
+  }
+  return history;
+}
+
 std::vector<mpm::AreaSample> area_history_of_job(const std::filesystem::path& results,
                                                  const std::string& key) {
   std::vector<mpm::AreaSample> history;

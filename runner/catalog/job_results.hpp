@@ -30,6 +30,9 @@ JobResult result_of_job(const std::filesystem::path& results, const std::string&
 /// SI, as the metrics of this name have it; "1" if no job has one.
 std::string unit_of_metric(const std::filesystem::path& results, const std::string& name);
 
+/// What a gauge of the job has seen; empty where it has none of that name.
+mpm::History history_of_job(const std::filesystem::path& results, const std::string& key,
+                            const std::string& gauge);
 /// In order of time.
 std::vector<mpm::AreaSample> area_history_of_job(const std::filesystem::path& results,
                                                  const std::string& key);

@@ -167,7 +167,8 @@ void Store::Impl::merge_job(std::int64_t theirs, const std::string& key, JobStat
                        columns));
   const std::int64_t attempt = (ours ? ours->attempt : 0) + 1;
   execute(update, runner, attempt, theirs, id);
-  for (const char* table : {"metric", "area_sample", "snapshot"}) copy_rows(*db, table, theirs, id);
+  for (const char* table : {"metric", "area_sample", "gauge", "history_sample", "snapshot"})
+    copy_rows(*db, table, theirs, id);
   const std::string files = folder_of_files(*db, folder, theirs, key);
   take_files(folder / "fields" / files, results / "fields" / files);
   record(id, ours ? std::optional(ours->status) : std::nullopt, status, attempt,

@@ -5,6 +5,7 @@
 #include "libmpm/scene/physics_version.hpp"
 #include "runner/catalog/runner_row.hpp"
 #include "runner/catalog/store_impl.hpp"
+#include "runner/plan/gauge_text.hpp"
 #include "runner/study/decimal.hpp"
 
 namespace mpmstudy {
@@ -22,6 +23,8 @@ std::int64_t Store::Impl::add_job(const Job& job) {
   bind(job.estimate.particles);
   bind(job.estimate.steps);
   bind(job.predicted_seconds);
+  const auto& gauges = scene.measures.gauges;
+  bind(gauges.empty() ? std::nullopt : std::optional(gauges_text(gauges)));
   nlohmann::ordered_json exact;
   for (const auto& q : mpm::quantities()) {
     if (!q.belongs_to(scene.kind)) {

@@ -53,6 +53,11 @@ ResultValues results_of(SQLite::Database& db, const std::string& key) {
          "SELECT c.sample, c.time_s, c.area_m2, c.void_area_m2 FROM job j JOIN area_sample c "
          "ON c.job_id = j.id WHERE j.key = ? ORDER BY c.sample",
          key, 1);
+  append(values, db, "history",
+         "SELECT g.name, c.sample, c.time_s, c.value, g.unit FROM job j JOIN gauge g ON g.job_id = j.id "
+         "JOIN history_sample c ON c.job_id = g.job_id AND c.gauge = g.gauge WHERE j.key = ? "
+         "ORDER BY g.gauge, c.sample",
+         key, 2);
   append(values, db, "fields",
          "SELECT c.path, c.time_s, c.step, c.bytes, c.checksum FROM job j JOIN snapshot c ON c.job_id = j.id "
          "WHERE j.key = ? ORDER BY c.path",

@@ -262,6 +262,26 @@ constexpr std::string_view version_9 = R"sql(
 ALTER TABLE study_job ADD COLUMN reason TEXT;  -- null: entered by an older program
 )sql";
 
+// What the gauges of a scene have seen.
+constexpr std::string_view version_10 = R"sql(
+ALTER TABLE job ADD COLUMN gauges TEXT;  -- JSON array; null: it has none
+CREATE TABLE gauge (              -- of the scene of a job
+  job_id INTEGER NOT NULL REFERENCES job (id),
+  gauge  INTEGER NOT NULL,         -- its number, in the order of the scene
+  name   TEXT NOT NULL,
+  unit   TEXT NOT NULL,
+  PRIMARY KEY (job_id, gauge)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE history_sample (
+  job_id INTEGER NOT NULL REFERENCES job (id),
+  gauge  INTEGER NOT NULL,
+  sample INTEGER NOT NULL,
+  time_s REAL NOT NULL,
+  value  REAL NOT NULL,
+  PRIMARY KEY (job_id, gauge, sample)
+) STRICT, WITHOUT ROWID;
+)sql";
+
 std::vector<ParameterColumn> parameter_columns() {
   std::vector<ParameterColumn> columns;
   for (const auto& quantity : mpm::quantities()) columns.push_back({std::string(quantity.column), "REAL"});
@@ -280,7 +300,8 @@ CatalogSchema current_catalog_schema() {
            {6, version_6},
            {7, version_7},
            {8, version_8},
-           {9, version_9}},
+           {9, version_9},
+           {10, version_10}},
           parameter_columns()};
 }
 

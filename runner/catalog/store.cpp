@@ -10,10 +10,19 @@ void Store::Impl::write_result(std::int64_t id, const FinishedJob& job, const st
   const auto& r = job.result;
   execute(delete_metrics, id);
   execute(delete_area, id);
+  execute(delete_gauges, id);
+  execute(delete_history_samples, id);
   execute(delete_snapshots, id);
   for (const auto& m : r.metrics) execute(insert_metric, id, m.name, m.value, m.unit, m.error);
   std::int64_t sample = 0;
   for (const auto& a : r.area_history) execute(insert_area, id, sample++, a.time, a.area, a.void_area);
+  for (std::size_t g = 0; g < r.histories.size(); ++g) {
+    const mpm::History& h = r.histories[g];
+    const auto gauge = static_cast<std::int64_t>(g);
+    execute(insert_gauge, id, gauge, h.name, h.unit);
+    for (std::size_t k = 0; k < h.times.size(); ++k)
+      execute(insert_history_sample, id, gauge, static_cast<std::int64_t>(k), h.times[k], h.values[k]);
+  }
   for (const auto& s : job.snapshots)
     execute(insert_snapshot, id, s.time, s.step, s.path, s.bytes, s.checksum,
             s.modified_ns == 0 ? std::nullopt : std::optional(s.modified_ns));

@@ -20,8 +20,8 @@ namespace mpmstudy {
 inline std::string insert_job_sql() {
   std::string names =
       "key, scene, material, snapshot_times, physics_version, predicted_particles, predicted_steps, "
-      "predicted_s, status";
-  std::string marks = "?, ?, ?, ?, ?, ?, ?, ?, 'planned'";
+      "predicted_s, gauges, status";
+  std::string marks = "?, ?, ?, ?, ?, ?, ?, ?, ?, 'planned'";
   for (const auto& q : mpm::quantities()) names += ", \"" + std::string(q.column) + "\"", marks += ", ?";
   for (const auto& c : mpm::choices()) names += ", \"" + std::string(c.column) + "\"", marks += ", ?";
   return "INSERT INTO job (" + names + ", exact) VALUES (" + marks + ", ?)";
@@ -61,6 +61,9 @@ struct Store::Impl {
       *db, "INSERT OR REPLACE INTO metric (job_id, name, value, unit, error) VALUES (?, ?, ?, ?, ?)"};
   SQLite::Statement insert_area{
       *db, "INSERT INTO area_sample (job_id, sample, time_s, area_m2, void_area_m2) VALUES (?, ?, ?, ?, ?)"};
+  SQLite::Statement insert_gauge{*db, "INSERT INTO gauge (job_id, gauge, name, unit) VALUES (?, ?, ?, ?)"};
+  SQLite::Statement insert_history_sample{
+      *db, "INSERT INTO history_sample (job_id, gauge, sample, time_s, value) VALUES (?, ?, ?, ?, ?)"};
   SQLite::Statement insert_snapshot{*db,
                                     "INSERT OR REPLACE INTO snapshot (job_id, time_s, step, path, bytes, "
                                     "checksum, modified_ns) VALUES (?, ?, ?, ?, ?, ?, ?)"};
@@ -70,6 +73,8 @@ struct Store::Impl {
       "VALUES (?, ?, ?, ?, ?, ?, ?)"};
   SQLite::Statement delete_metrics{*db, "DELETE FROM metric WHERE job_id = ?"};
   SQLite::Statement delete_area{*db, "DELETE FROM area_sample WHERE job_id = ?"};
+  SQLite::Statement delete_gauges{*db, "DELETE FROM gauge WHERE job_id = ?"};
+  SQLite::Statement delete_history_samples{*db, "DELETE FROM history_sample WHERE job_id = ?"};
   SQLite::Statement delete_snapshots{*db, "DELETE FROM snapshot WHERE job_id = ?"};
 
   struct Row {

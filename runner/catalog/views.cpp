@@ -62,6 +62,11 @@ CREATE VIEW area_history AS SELECT j.key AS key, c.time_s AS time_s, c.area_m2 A
   c.void_area_m2 AS void_area_m2
 FROM job j JOIN area_sample c ON c.job_id = j.id;
 
+DROP VIEW IF EXISTS history;
+CREATE VIEW history AS SELECT j.key AS key, g.name AS name, c.time_s AS time_s, c.value AS value, g.unit AS unit
+FROM job j JOIN gauge g ON g.job_id = j.id
+JOIN history_sample c ON c.job_id = g.job_id AND c.gauge = g.gauge;
+
 DROP VIEW IF EXISTS snapshots;
 CREATE VIEW snapshots AS SELECT j.key AS key, c.time_s AS time_s, c.path AS path, c.bytes AS bytes,
   c.checksum AS checksum, c.step AS step

@@ -39,6 +39,14 @@ struct Change {
   std::string here, there;
 };
 
+/// Names of those gauges that the others lack, or have in another form: "rear, push"; "none".
+std::string own_of(const std::vector<mpm::Gauge>& gauges, const std::vector<mpm::Gauge>& others) {
+  std::string names;
+  for (const mpm::Gauge& gauge : gauges)
+    if (std::ranges::find(others, gauge) == others.end()) names += (names.empty() ? "" : ", ") + gauge.name;
+  return names.empty() ? "none" : names;
+}
+
 std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
   std::vector<Change> all;
   for (const auto& q : mpm::quantities())
@@ -50,6 +58,9 @@ std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
   if (here.measures.snapshots != there.measures.snapshots)
     all.push_back({"snapshots", counted(std::ssize(here.measures.snapshots), "time"),
                    counted(std::ssize(there.measures.snapshots), "time")});
+  if (here.measures.gauges != there.measures.gauges)
+    all.push_back({"gauges", own_of(here.measures.gauges, there.measures.gauges),
+                   own_of(there.measures.gauges, here.measures.gauges)});
   return all;
 }
 

@@ -18,6 +18,7 @@
 #include "runner/cli/last_run.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/exec/processors.hpp"
+#include "runner/plan/gauge_text.hpp"
 #include "runner/plan/warnings.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/ladder.hpp"
@@ -248,6 +249,8 @@ Json to_json(const Study& study, const Plan& plan, int workers, const std::strin
     for (const mpm::Choice& row : mpm::choices())
       if (row.belongs_to(study.kind)) parameters[std::string(row.column)] = row.allowed[row.get(job.scene)];
     parameters["snapshots_s"] = job.scene.measures.snapshots;
+    if (!job.scene.measures.gauges.empty())
+      parameters["gauges"] = Json::parse(gauges_text(job.scene.measures.gauges));
     return Json{{"key", job.key},
                 {"parameters", std::move(parameters)},
                 {"particles", job.estimate.particles},

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "libmpm/scene/parameters.hpp"
+#include "runner/plan/gauge_text.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -59,13 +60,28 @@ class Reader {
   std::size_t next_ = 0;
 };
 
+void numbers(Writer& a, const std::vector<double>& values) {
+  a(values.size());
+  for (const double value : values) a(value);
+}
+void numbers(Reader& a, std::vector<double>& values) {
+  std::size_t size = 0;
+  a(size);
+  if (size > a.left()) throw std::runtime_error("a message between processes is damaged");
+  values.resize(size);
+  for (double& value : values) a(value);
+}
+
 // Members in one order for both ways: a is a Writer or a Reader, x what it goes over.
 void members(auto& a, auto& x) requires requires { x.void_area; }
 { a(x.time), a(x.area), a(x.void_area); }
 void members(auto& a, auto& x) requires requires { x.checksum; }
 { a(x.time), a(x.step), a(x.path), a(x.bytes), a(x.checksum), a(x.modified_ns); }
-void members(auto& a, auto& x) requires requires { x.unit; }
+void members(auto& a, auto& x) requires requires { x.value; }
 { a(x.name), a(x.value), a(x.unit), a(x.error); }
+
+void members(auto& a, auto& x) requires requires { x.times; }
+{ a(x.name), a(x.unit), numbers(a, x.times), numbers(a, x.values); }
 
 template <class T>
 void rows(Writer& a, const std::vector<T>& values) {
@@ -95,16 +111,11 @@ void parameters(Reader& a, mpm::Scene& scene) {
     if (std::size_t value = 0; c.belongs_to(scene.kind)) a(value), c.set(scene, value);
 }
 
-void numbers(Writer& a, const std::vector<double>& values) {
-  a(values.size());
-  for (const double value : values) a(value);
-}
-void numbers(Reader& a, std::vector<double>& values) {
-  std::size_t size = 0;
-  a(size);
-  if (size > a.left()) throw std::runtime_error("a message between processes is damaged");
-  values.resize(size);
-  for (double& value : values) a(value);
+void gauges(Writer& a, const std::vector<mpm::Gauge>& values) { a(gauges_text(values)); }
+void gauges(Reader& a, std::vector<mpm::Gauge>& values) {
+  std::string text;
+  a(text);
+  values = gauges_from_text(text);
 }
 
 void whole_order(auto& a, auto& order) {
@@ -112,6 +123,7 @@ void whole_order(auto& a, auto& order) {
   a(order.scene.kind), a(order.scene.material.name);
   parameters(a, order.scene);
   numbers(a, order.scene.measures.snapshots);
+  gauges(a, order.scene.measures.gauges);
 }
 
 void whole_attempt(auto& a, auto& attempt) {
@@ -123,6 +135,7 @@ void whole_attempt(auto& a, auto& attempt) {
   a(r.status), a(r.reason), a(r.particles), a(r.steps), a(r.energy_error), a(r.outcome);
   a(r.initial_area), a(r.final_area), a(r.final_area_error), a(r.collapsibility), a(r.collapsibility_error);
   rows(a, r.area_history);
+  rows(a, r.histories);
   rows(a, r.metrics);
 }
 

@@ -28,6 +28,28 @@ std::string footer_of(const Study& study, const StudyResults& results) {
                      physics_versions_text(physics_versions_of(study)));
 }
 
+void add_area_history(const StudyResults& results, const JobResults& job, analysis::Series& series) {
+  for (const mpm::AreaSample& sample : area_history_of(results, job)) {
+    series.x.push_back(sample.time);
+    series.y.push_back(sample.area);
+    series.y_error.push_back(std::abs(sample.void_area - sample.area));
+  }
+}
+
+/// Of a gauge. Gives back how it is labelled: "Velocity along y, rear".
+analysis::QuantityLabel add_history(const Study& study, const StudyResults& results, const JobResults& job,
+                                    const std::string& gauge, analysis::Series& series) {
+  mpm::History history = history_of(results, job, gauge);
+  series.x = std::move(history.times);
+  series.y = std::move(history.values);
+  const auto known = std::ranges::find(study.gauges, gauge, &mpm::Gauge::name);
+  analysis::QuantityLabel label = label_of(known == study.gauges.end() ? gauge : known->of, history.unit);
+  label.name += ", " + gauge;
+  label.symbol = "";
+  label.unit = history.unit;
+  return label;
+}
+
 bool draw_history(const Study& study, const StudyResults& results, const FigureRequest& request,
                   const fs::path& stem) {
   analysis::Plot plot;
@@ -36,15 +58,14 @@ bool draw_history(const Study& study, const StudyResults& results, const FigureR
   plot.footer = footer_of(study, results);
   plot.x = label_of("time");
   plot.y = label_of("area");
-  plot.y_from_zero = true;
+  plot.y_from_zero = request.y.empty();
   for (const Group& group : group_jobs(study, results, {}))
     for (const JobResults* job : group.jobs) {
       analysis::Series series{group.label, {}, {}, {}};
-      for (const mpm::AreaSample& sample : area_history_of(results, *job)) {
-        series.x.push_back(sample.time);
-        series.y.push_back(sample.area);
-        series.y_error.push_back(std::abs(sample.void_area - sample.area));
-      }
+      if (request.y.empty())
+        add_area_history(results, *job, series);
+      else
+        plot.y = add_history(study, results, *job, request.y, series);
       if (!series.x.empty()) plot.series.push_back(std::move(series));
     }
   if (plot.series.empty()) return false;

@@ -2,6 +2,7 @@
 
 #include "libmpm/io/fields.hpp"
 #include "libmpm/measure/results.hpp"
+#include "libmpm/scene/gauge.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "libmpm/scene/physics_version.hpp"
 
@@ -14,6 +15,7 @@ analysis::QuantityLabel label_of(std::string_view name, std::string_view unit_if
   if (const mpm::Quantity* row = mpm::find_quantity(name)) return of_row(*row);
   if (const mpm::ResultRow* row = mpm::find_result(name)) return of_row(*row);
   if (const mpm::Field* row = mpm::find_field(name)) return of_row(*row);
+  if (mpm::is_of_gauge(name)) return {std::string(name), "", std::string(unit_if_unknown)};
   if (name == "time") return {"Time", "t", "s"};
   if (name == "area") return {"Cavity area", "A", "m^2"};
   return analysis::quantity_label(name, unit_if_unknown);

@@ -195,6 +195,10 @@ std::string unit_of(const StudyResults& results, const std::string& name) {
   return unit_of_metric(results.folder, name);
 }
 
+mpm::History history_of(const StudyResults& results, const JobResults& job, const std::string& gauge) {
+  return history_of_job(results.folder, job.key, gauge);
+}
+
 std::vector<mpm::AreaSample> area_history_of(const StudyResults& results, const JobResults& job) {
   return area_history_of_job(results.folder, job.key);
 }

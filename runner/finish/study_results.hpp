@@ -65,6 +65,8 @@ std::optional<ValueWithError> result_of(const StudyResults&, const JobResults&, 
 /// in.
 std::string unit_of(const StudyResults&, const std::string& name);
 
+/// What a gauge of the job has seen; empty where it has none of that name.
+mpm::History history_of(const StudyResults&, const JobResults&, const std::string& gauge);
 std::vector<mpm::AreaSample> area_history_of(const StudyResults&, const JobResults&);
 /// Files of a job's snapshots, in order of time.
 std::vector<std::filesystem::path> snapshots_of(const StudyResults&, const JobResults&);

@@ -47,7 +47,7 @@ Climb next_step(const LadderRequest& request, std::span<const RungState> rungs) 
     const double finest = points.back().measuring_error, before = points[points.size() - 2].measuring_error;
     if (finest > wanted && finest > falls_with_the_cell * before) return {NextStep::missed, {}};
     const mpm::ResultRow* row = mpm::find_result(request.quantity);
-    const std::string_view unit = row ? row->unit : "1";
+    const std::string_view unit = row ? row->unit : request.unit;
     reason =
         fmt::format("a finer cell: {} is known to +- {} from {} cells, wanted is +- {}", request.quantity,
                     readable(e.extrapolated_error, unit), points.size(), readable(wanted, unit));

@@ -44,6 +44,7 @@ void split_measuring_error(const Ladder& ladder, IntervalRow& row) {
     return std::ranges::min(found->second.points, {}, &analysis::LadderPoint::cell).value;
   };
   const mpm::ResultRow* measured = mpm::find_result(row.quantity);
+  if (!measured) return;  // of a gauge
   double unit = 1;
   for (const std::string_view size : measured->lost_share_of) {
     const auto final_size = at_finest(size), lost = at_finest(row.quantity);

@@ -19,6 +19,22 @@ void append_number(std::string& text, double value) {
   text.append(buffer, result.ptr);
 }
 
+/// What a gauge reads, where, and what is made of it. A scene without gauges has no such line.
+void append_gauge(std::string& text, const mpm::Gauge& gauge) {
+  text.append("gauge=").append(gauge.name).append(" ").append(gauge.of).append(" ");
+  text.append(mpm::to_string(gauge.target));
+  if (gauge.target == mpm::GaugeTarget::body) text.append(" ").append(gauge.body);
+  if (gauge.target == mpm::GaugeTarget::wall) text.append(" ").append(gauge.wall);
+  if (gauge.target == mpm::GaugeTarget::beam) text.append(" ").append(gauge.direction);
+  const auto add_number = [&](double value) { text.append(" "), append_number(text, value); };
+  for (const double x : gauge.place) add_number(x);
+  for (const mpm::Reduction& one : gauge.reductions) {
+    text.append(" ").append(one.name).append(" ").append(mpm::to_string(one.window));
+    add_number(one.from), add_number(one.to);
+  }
+  text.append("\n");
+}
+
 /// The value of a row in a job's key: where it has no effect, the one that stands for all.
 template <class Row>
 double value_for_key(const Row& row, const mpm::Scene& scene, bool with_inert) {
@@ -48,7 +64,9 @@ std::string text_of(const mpm::Scene& scene, bool with_inert, std::span<const mp
     append_number(text, time);
     text.append(" ");
   }
-  return text.append("\n");
+  text.append("\n");
+  for (const mpm::Gauge& gauge : scene.measures.gauges) append_gauge(text, gauge);
+  return text;
 }
 
 std::string hash_of(const std::string& text) {

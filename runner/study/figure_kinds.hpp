@@ -12,7 +12,7 @@ enum class FigureKind { history, xy, fields, calibration };
 
 /// What its key `y` names.
 enum class FigureY {
-  nothing,
+  history,               ///< of a gauge; none: of a cavity's area
   result,                ///< of a job, or what [search] finds
   result_with_interval,  ///< of a job, by several cells
   field                  ///< of a snapshot
@@ -22,14 +22,13 @@ struct FigureKindRow {
   FigureKind kind;
   std::string_view word;  ///< in study files
   bool has_x = false;     ///< its key `x` names a swept quantity
-  FigureY y = FigureY::nothing;
-  bool of_area_history = false;  ///< only of scenes whose runs have one
-  bool of_snapshots = false;     ///< only of studies that write them; one file per job
-  int least_cells = 1;           ///< of the study's ladders; more than one: of single runs, not of a search
+  FigureY y;
+  bool of_snapshots = false;  ///< only of studies that write them; one file per job
+  int least_cells = 1;        ///< of the study's ladders; more than one: of single runs, not of a search
 };
 
 inline constexpr std::array figure_kinds = {
-    FigureKindRow{.kind = FigureKind::history, .word = "history", .of_area_history = true},
+    FigureKindRow{.kind = FigureKind::history, .word = "history", .y = FigureY::history},
     FigureKindRow{.kind = FigureKind::xy, .word = "xy", .has_x = true, .y = FigureY::result},
     FigureKindRow{.kind = FigureKind::fields, .word = "fields", .y = FigureY::field, .of_snapshots = true},
     // An interval takes four cells, and what it is held against one more (first_cells of ladder.hpp).

@@ -50,7 +50,8 @@ double coarsest_cell(const mpm::Scene& s) { return mpm::kind_of(s).coarsest_cell
 
 std::string_view default_accuracy_of(mpm::SceneKind kind) { return mpm::kind_of(kind).headline; }
 
-LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> kind, const Units& units,
+LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> kind,
+                          const std::vector<std::string>& gauge_results, const Units& units,
                           Mistakes& mistakes) {
   LadderRequest request;
   if (kind) request.quantity = default_accuracy_of(*kind);
@@ -70,7 +71,8 @@ LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> k
     mistakes.add("accuracy_of", of->value, {"there is no accuracy", "add accuracy = \"1 %\", or remove it"});
   } else if (of) {
     const std::string* name = of->value.string();
-    const auto names = results_with_interval(kind);
+    auto names = results_with_interval(kind);
+    names.insert(names.end(), gauge_results.begin(), gauge_results.end());
     if (!name || std::find(names.begin(), names.end(), *name) == names.end())
       mistakes.add("accuracy_of", of->value, unknown_word(name ? *name : "", "result", names));
     else

@@ -27,6 +27,7 @@ double coarsest_cell(const mpm::Scene&);
 std::string_view default_accuracy_of(mpm::SceneKind);
 
 /// Reads the keys out of [numerics]; null: there is no such table. Adds what is wrong with them.
-LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind>, const Units&, Mistakes&);
+LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind>,
+                          const std::vector<std::string>& gauge_results, const Units&, Mistakes&);
 
 }  // namespace mpmstudy

@@ -14,6 +14,7 @@ struct LadderRequest {
   std::optional<double> accuracy;  ///< wanted half width of the interval over the quantity's scale [1]
   std::string quantity;            ///< whose interval it is: "collapsibility"
   bool finds_cell = false;  ///< the file gives no cell_size: scenes hold the coarsest cell, else the finest
+  std::string unit = "1";   ///< SI, where `quantity` is in no table (of a gauge)
 };
 
 }  // namespace mpmstudy

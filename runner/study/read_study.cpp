@@ -6,6 +6,7 @@
 #include "runner/study/combine.hpp"
 #include "runner/study/decimal.hpp"
 #include "runner/study/figure_files.hpp"
+#include "runner/study/gauges.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/overrides.hpp"
 #include "runner/study/quantity_text.hpp"
@@ -33,6 +34,7 @@ class Reader {
     read_material();
     read_parameters();
     read_snapshots();
+    read_all_gauges();
     read_ladder_of_cells();
     read_requests();
     check_complete();
@@ -113,7 +115,7 @@ class Reader {
       const auto tables = table_names();
       if (std::find(tables.begin(), tables.end(), entry.key) == tables.end() || keys_of(entry.key).empty())
         continue;
-      if (entry.key == "fit" || entry.key == "figure") continue;
+      if (is_array_table(entry.key)) continue;
       const Table* entries = entry.value.table();
       if (!entries) {
         mistakes_.add(entry.place, entry.key, entry.value.written(),
@@ -191,8 +193,20 @@ class Reader {
     }
   }
 
+  void read_all_gauges() {
+    request_.gauges = read_gauges(document_, units_, mistakes_);
+    for (const GaugeRequest& one : request_.gauges) study_.gauges.push_back(one.gauge);
+    if (request_.gauges.empty()) return;
+    study_.given.emplace_back("gauges");
+    study_.places.push_back(document_.find("gauge")->place.text());
+  }
+
   void read_ladder_of_cells() {
-    study_.ladder = read_ladder(table("numerics"), kind_, units_, mistakes_);
+    study_.ladder = read_ladder(table("numerics"), kind_, metrics_of(study_.gauges), units_, mistakes_);
+    for (const mpm::Gauge& gauge : study_.gauges)
+      if (study_.ladder.quantity.starts_with(gauge.name + "."))
+        if (const auto* quantity = mpm::find_gauge_quantity(gauge.target, gauge.of))
+          study_.ladder.unit = quantity->unit_in(spaces().front());
     if (study_.ladder.finds_cell) said_.emplace_back("cell_size");
     request_.ladder = study_.ladder;
     const Table* numerics = table("numerics");
@@ -208,14 +222,16 @@ class Reader {
   void read_requests() {
     study_.search = read_search(document_, kind_, units_, mistakes_);
     if (study_.search) place_search();
-    const RequestContext context{kind_,
-                                 fixed_,
-                                 said_,
-                                 study_.ladder.cells,
-                                 may_decide_ejection(),
-                                 spaces(),
-                                 !request_.snapshots.empty(),
-                                 study_.search ? study_.search->critical : ""};
+    RequestContext context{kind_,
+                           fixed_,
+                           said_,
+                           study_.ladder.cells,
+                           may_decide_ejection(),
+                           spaces(),
+                           !request_.snapshots.empty(),
+                           study_.search ? study_.search->critical : ""};
+    for (const mpm::Gauge& gauge : study_.gauges) context.gauges.push_back(gauge.name);
+    context.gauge_results = metrics_of(study_.gauges);
     study_.fits = read_fits(document_, context, mistakes_);
     study_.figures = read_figures(document_, context, mistakes_);
     study_.expectation = read_expectation(document_, units_, mistakes_);

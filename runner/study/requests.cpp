@@ -11,6 +11,7 @@
 #include "libmpm/measure/results.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 #include "runner/study/characters.hpp"
+#include "runner/study/each_table.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/read_word.hpp"
 #include "runner/study/schema.hpp"
@@ -23,15 +24,16 @@ using Outcome = Expectation::Outcome;
 constexpr auto expected_outcomes = mpm::words<Outcome>(
     {{Outcome::holds, "holds"}, {Outcome::breaks, "breaks"}, {Outcome::refused, "refused"}});
 
-bool can_draw(const FigureKindRow& row, std::optional<mpm::SceneKind> kind) {
-  return !row.of_area_history || !kind || mpm::kind_of(*kind).has_area_history;
+bool has_area_history(const RequestContext& context) {
+  return !context.kind || mpm::kind_of(*context.kind).has_area_history;
 }
 
-/// Kinds of figure that a kind of scene can fill; all, if the file does not say which.
-std::vector<std::string_view> figure_words(std::optional<mpm::SceneKind> kind) {
+/// Kinds of figure that a study can have; all, where nothing is known of it.
+std::vector<std::string_view> figure_words(const RequestContext& context) {
   std::vector<std::string_view> words;
   for (const FigureKindRow& row : figure_kinds)
-    if (can_draw(row, kind)) words.push_back(row.word);
+    if (row.y != FigureY::history || has_area_history(context) || !context.gauges.empty())
+      words.push_back(row.word);
   return words;
 }
 
@@ -71,6 +73,20 @@ Refusal not_of_this_study(const mpm::ResultRow& row, const RequestContext& conte
           "write decides = \"ejection\" in [measure], or take another result"};
 }
 
+/// "rear.max": a number that a gauge of this study comes to.
+void read_gauge_result(const std::string& name, const Value& value, const RequestContext& context,
+                       Mistakes& mistakes) {
+  if (std::ranges::find(context.gauge_results, name) != context.gauge_results.end()) return;
+  if (context.gauges.empty())
+    return mistakes.add("y", value, {"there is no [[gauge]]", "add one, or take a result of a run"});
+  std::vector<std::string_view> own(context.gauge_results.begin(), context.gauge_results.end());
+  if (!mpm::is_of_gauge(name)) {
+    std::erase_if(own, [&](std::string_view one) { return !one.starts_with(name + "."); });
+    return mistakes.add("y", value, {"is a history, and not one number", "allowed: " + listed(own)});
+  }
+  mistakes.add("y", value, unknown_word(name, "number of a gauge", own));
+}
+
 /// y of a fit or a figure: a result that jobs of this study can have. `wanted`: which of them will do.
 template <class Wanted>
 std::string read_result(const Entry& parent, const Table& table, const RequestContext& context,
@@ -80,8 +96,12 @@ std::string read_result(const Entry& parent, const Table& table, const RequestCo
   std::vector<std::string_view> own;
   for (const mpm::ResultRow& row : mpm::results())
     if (wanted(row) && can_have(row, context)) own.push_back(row.name);
-  const mpm::ResultRow* row = mpm::find_result(*name);
   const Value& value = table.find("y")->value;
+  if (mpm::is_of_gauge(*name) || std::ranges::find(context.gauges, *name) != context.gauges.end()) {
+    read_gauge_result(*name, value, context, mistakes);
+    return *name;
+  }
+  const mpm::ResultRow* row = mpm::find_result(*name);
   if (!row || !wanted(*row))
     mistakes.add("y", value, unknown_word(*name, "result", own));
   else if (!can_have(*row, context))
@@ -133,13 +153,30 @@ std::string read_x(const Entry& parent, const Table& table, const RequestContext
 /// Whether this study can have a figure of that kind.
 void check_figure_kind(const FigureKindRow& row, const Value& value, const RequestContext& context,
                        Mistakes& mistakes) {
-  if (!can_draw(row, context.kind))
-    mistakes.add("kind", value,
-                 {std::string(mpm::to_string(*context.kind)) + " has no history of a cavity's area",
-                  "allowed: " + listed(figure_words(context.kind))});
+  if (row.y == FigureY::history && !has_area_history(context) && context.gauges.empty())
+    mistakes.add(
+        "kind", value,
+        {std::string(mpm::to_string(*context.kind)) + " has no history of a cavity's area",
+         "add a [[gauge]] and write y = its name, or take another kind: " + listed(figure_words(context))});
   if (row.of_snapshots && !context.has_snapshots)
     mistakes.add("kind", value,
                  {"there are no snapshots to draw", "write snapshots = [\"1 ns\"] in [measure]"});
+}
+
+/// y of a figure of a history: the name of a gauge, or nothing where jobs have the history of an area.
+std::string read_history(const Entry& parent, const Table& table, const RequestContext& context,
+                         Mistakes& mistakes) {
+  if (!table.find("y") && has_area_history(context)) return {};
+  const std::vector<std::string_view> gauges(context.gauges.begin(), context.gauges.end());
+  if (gauges.empty()) {
+    if (const Entry* y = table.find("y"))
+      mistakes.add(
+          "y", y->value,
+          {"there is no [[gauge]]",
+           "add one" + std::string(has_area_history(context) ? ", or remove y: the cavity's area" : "")});
+    return {};
+  }
+  return read_word(parent, table, "y", "gauge", gauges, mistakes);
 }
 
 /// What a figure's x and y are, for the keys that its kind has.
@@ -155,8 +192,8 @@ void read_axes(const Entry& entry, const Table& table, const FigureKindRow& row,
   else
     refuse("x");
   switch (row.y) {
-    case FigureY::nothing:
-      refuse("y");
+    case FigureY::history:
+      figure.y = read_history(entry, table, context, mistakes);
       break;
     case FigureY::result:
       figure.y = read_y(entry, table, context, mistakes);
@@ -187,30 +224,11 @@ void check_cells(const FigureKindRow& row, const Value& value, const RequestCont
                   fmt::format("write ladder = {} in [numerics]", row.least_cells)});
 }
 
-/// Calls read(entry, table) for every [[name]].
-template <class Read>
-void for_each_table(const Table& document, std::string_view name, Mistakes& mistakes, Read read) {
-  const Entry* entry = document.find(name);
-  if (!entry) return;
-  const List* list = entry->value.list();
-  const bool tables =
-      list && std::all_of(list->begin(), list->end(), [](const Value& v) { return v.table() != nullptr; });
-  if (!tables) {
-    mistakes.add(entry->place, name, {"not an array of tables", "write [[" + std::string(name) + "]]"});
-    return;
-  }
-  for (const Value& value : *list) {
-    const Entry one{entry->key, value.place, value};
-    check_keys(*value.table(), name, std::nullopt, mistakes);
-    read(one, *value.table());
-  }
-}
-
 }  // namespace
 
 bool has_interval(std::string_view result) {
   const mpm::ResultRow* row = mpm::find_result(result);
-  return row && row->has_interval;
+  return mpm::is_of_gauge(result) || (row && row->has_interval);
 }
 
 std::vector<std::string_view> results_with_interval(std::optional<mpm::SceneKind> kind) {
@@ -286,8 +304,7 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
       if (!figure.name.empty() && other.name == figure.name)
         mistakes.add("name", table.find("name")->value, {"two figures of one name", "give each its own"});
     if (table.find("title")) figure.title = required_title(table, entry.place, mistakes).value_or("");
-    const std::string word =
-        read_word(entry, table, "kind", "kind of figure", figure_words(std::nullopt), mistakes);
+    const std::string word = read_word(entry, table, "kind", "kind of figure", figure_words({}), mistakes);
     if (const FigureKindRow* row = find_figure_kind(word)) {
       const Value& kind = table.find("kind")->value;
       figure.kind = row->kind;

@@ -20,7 +20,9 @@ struct RequestContext {
   bool decides_ejection = false;       ///< some jobs may
   std::vector<mpm::Space> spaces = {mpm::Space::plane_strain};  ///< of its jobs
   bool has_snapshots = false;
-  std::string critical;  ///< what its [search] looks for; "": it has none
+  std::string critical;                         ///< what its [search] looks for; "": it has none
+  std::vector<std::string> gauges = {};         ///< names
+  std::vector<std::string> gauge_results = {};  ///< all that they come to: "rear.max"
 
   /// Whether the study has a quantity, by its own name or by the other one of the same degree of freedom.
   bool says(std::string_view quantity) const;

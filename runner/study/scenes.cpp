@@ -56,6 +56,7 @@ mpm::Scene base_scene(const SceneRequest& request) {
   scene.kind = request.kind;
   scene.numerics = mpm::default_numerics(request.kind);
   for (const Point& snapshot : request.snapshots) scene.measures.snapshots.push_back(snapshot.value);
+  for (const GaugeRequest& one : request.gauges) scene.measures.gauges.push_back(one.gauge);
   if (request.seeks_ejection) {
     scene.measures.decides = mpm::Decides::ejection;
     scene.measures.stop = mpm::Stop::decided;
@@ -85,6 +86,7 @@ class Reporter {
       }
     for (const mpm::Problem& problem : mpm::find_problems(scene)) {
       bad = true;
+      if (add_to_gauge(problem)) continue;
       const Assignment* source = source_of(problem.parameter);
       const bool as_written =
           source && source->column == not_swept && source->axis->name() == problem.parameter;
@@ -103,6 +105,23 @@ class Reporter {
   }
 
  private:
+  /// Puts a problem of a gauge ("gauge.NAME.KEY") where the file says it. False: it is of something else.
+  bool add_to_gauge(const mpm::Problem& problem) {
+    for (const GaugeRequest& one : request_.gauges) {
+      const std::string before = "gauge." + one.gauge.name + ".";
+      if (!problem.parameter.starts_with(before)) continue;
+      const std::string key = problem.parameter.substr(before.size());
+      const auto written = one.keys.find(key);
+      const bool known = written != one.keys.end();
+      mistakes_.add(known ? written->second.place : one.place, key.substr(key.find('.') + 1),
+                    known ? written->second.text : problem.value,
+                    {"cannot be read by gauge " + one.gauge.name,
+                     "allowed: " + in_file_units(problem.allowed, problem.parameter)});
+      return true;
+    }
+    return false;
+  }
+
   /// The other end of a ladder of cells has to be a scene, too.
   bool check_ladder(mpm::Scene scene) {
     const LadderRequest& ladder = request_.ladder;

@@ -6,6 +6,7 @@
 #include "libmpm/scene/scene.hpp"
 #include "runner/study/axis.hpp"
 #include "runner/study/combine.hpp"
+#include "runner/study/gauges.hpp"
 #include "runner/study/ladder_request.hpp"
 #include "runner/study/mistakes.hpp"
 #include "runner/study/study.hpp"
@@ -17,6 +18,7 @@ struct SceneRequest {
   mpm::SceneKind kind{};
   std::vector<Axis> axes;        ///< in the order of the file
   std::vector<Point> snapshots;  ///< [s]
+  std::vector<GaugeRequest> gauges;
   bool seeks_ejection =
       false;           ///< of a [search]: runs decide ejection and end then, unless the file says more
   WrittenUnits units;  ///< of what the file gives, for messages

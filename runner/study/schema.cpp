@@ -22,12 +22,11 @@ const std::vector<Keys>& other_keys() {
       {"search", {"critical", "outcome", "between", "tolerance"}},
       {"expect", {"outcome", "energy_error", "reason", "why"}},
       {"fit", {"x", "y", "model"}},
+      {"gauge", {"name", "of", "point", "place", "beam", "direction", "body", "wall", "reduce"}},
       {"figure", {"name", "title", "kind", "x", "y"}},
   };
   return keys;
 }
-
-bool is_array_table(std::string_view table) { return table == "fit" || table == "figure"; }
 
 /// "in [parameters]".
 std::string where(std::string_view table) {
@@ -78,6 +77,10 @@ std::string_view table_name(mpm::Section section) {
       return "measure";
   }
   return "";
+}
+
+bool is_array_table(std::string_view table) {
+  return table == "fit" || table == "figure" || table == "gauge";
 }
 
 std::vector<std::string_view> table_names() {

@@ -15,8 +15,10 @@ inline constexpr int schema_version = 1;
 /// "parameters", "material", ...: the table of a study file that a section is.
 std::string_view table_name(mpm::Section);
 
-/// Tables of a study file; "" is its top. [[fit]] and [[figure]] are arrays of tables.
+/// Tables of a study file; "" is its top.
 std::vector<std::string_view> table_names();
+/// [[fit]], [[figure]] and [[gauge]] are arrays of tables.
+bool is_array_table(std::string_view table);
 
 /// The keys of a table. With a kind: those that this kind of scene has.
 std::vector<std::string_view> keys_of(std::string_view table, std::optional<mpm::SceneKind> = {});

@@ -81,6 +81,7 @@ struct Study {
   std::vector<std::string> places;  ///< of given, where each is said: "studies/a.toml:12:16", "--set"
   WrittenUnits units;               ///< of what is given with a unit and of what is searched
   std::vector<mpm::Scene> scenes;   ///< one per job, in the order of the sweep, every one without mistakes
+  std::vector<mpm::Gauge> gauges;   ///< of every scene, by name
   LadderRequest ladder;             ///< under every scene, whose cell is one end of it
   std::string material_place;  ///< where the material is named; its constants stand for what is not given
   std::string ladder_place;    ///< where more than one cell is asked for; "": nowhere

@@ -21,6 +21,8 @@ std::vector<std::uint64_t> bits_of(const mpm::RunResult& r) {
     add(v.value_or(-1));
   add(static_cast<double>(r.steps)), add(static_cast<double>(r.particles)), add(r.energy_error);
   for (const auto& a : r.area_history) add(a.time), add(a.area), add(a.void_area);
+  for (const auto& h : r.histories)
+    for (std::size_t k = 0; k < h.times.size(); ++k) add(h.times[k]), add(h.values[k]);
   for (const auto& m : r.metrics) add(m.value), add(m.error.value_or(-1));
   for (const char c : r.outcome + r.reason) bits.push_back(static_cast<unsigned char>(c));
   return bits;
@@ -98,6 +100,8 @@ mpm::Scene collapse() {
   mpm::Scene s = scenes::cavity(0.3e-6);
   s.end_time = 3e-9;
   s.measures.snapshots = {0.5e-9, 2e-9};
+  s.measures.gauges = {{.name = "push", .of = "force", .target = mpm::GaugeTarget::wall},
+                       {.name = "energy", .of = "internal_energy", .target = mpm::GaugeTarget::body}};
   return s;
 }
 

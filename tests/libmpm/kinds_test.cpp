@@ -17,8 +17,8 @@
 namespace {
 
 /// Visits the members of one object under their names, but for those that hold others and those without a
-/// row: the kind and the times of snapshots stand in a job's key by themselves, and the name of a material is
-/// no part of what it is.
+/// row: the kind, the times of snapshots and the gauges stand in a job's key by themselves, and the name of a
+/// material is no part of what it is.
 template <class Visit, class... Members>
 void visit_all(const Visit& visit, std::string_view names, Members&... members) {
   const auto one = [&](auto& member) {
@@ -51,7 +51,7 @@ void each_member(mpm::Scene& s, const Visit& visit) {
         rate_hardening, reference_strain_rate, softening_exponent, melting_temperature)
   VISIT(s.numerics, cell_size, particles_per_cell, scheme, transfer, symmetry, kernel, precision,
         pic_fraction, cfl, linear_viscosity, quadratic_viscosity)
-  VISIT(s.measures, area_every, detached_for, decides, stop, snapshots)
+  VISIT(s.measures, area_every, detached_for, decides, stop, snapshots, gauges)
 }
 #undef VISIT
 

@@ -30,6 +30,11 @@ inline mpm::Scene scene(double cavity_radius) {
   s.numerics.scheme = mpm::ShapeFunction::gimp;
   s.measures.area_every = 0.05e-9;
   s.measures.snapshots = {1e-9, 2.2e-9};
+  s.measures.gauges = {{.name = "rear",
+                        .of = "velocity_y",
+                        .target = mpm::GaugeTarget::beam,
+                        .place = {1e-6 / 3, 6e-6},
+                        .reductions = {{"late", mpm::Window::mean, 1e-8 / 3, 16e-9}}}};
   return s;
 }
 
@@ -62,6 +67,8 @@ inline mpm::RunResult result_of(const mpm::Scene& s) {
   r.collapsibility = 1 - 1.0 / 7;
   for (int i = 0; i < 50; ++i)
     r.area_history.push_back({i * 0.1e-9, *r.initial_area / (1 + i / 3.0), *r.initial_area / (1 + i / 3.1)});
+  for (const mpm::Gauge& gauge : s.measures.gauges)
+    r.histories.push_back({gauge.name, "m/s", {0, 1e-9 / 3, 16e-9}, {gauge.place.at(0), 1.0 / 3, -200}});
   r.metrics = {{"roundness", 1.0 / 3, "1", 0.1}, {"free_surface_speed_m_s", s.impact_speed / 3, "m/s", {}}};
   return r;
 }

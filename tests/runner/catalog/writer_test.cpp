@@ -77,6 +77,12 @@ TEST_F(Writer, a_job_goes_from_planned_to_done_once) {
   EXPECT_EQ(count("jobs WHERE status = 'done' AND wall_s = 1.5 AND cpu_s = 1.25"), 1);
   EXPECT_EQ(count("metrics"), 2);
   EXPECT_EQ(count("area_history"), 50);
+  EXPECT_EQ(count("history WHERE name = 'rear' AND unit = 'm/s'"), 3);
+  EXPECT_EQ(std::get<double>(query(folder.path(), "SELECT value FROM history ORDER BY time_s").rows[1][0]),
+            1.0 / 3);
+  const auto stored = read_jobs(folder.path(), {fakes::key(1), ""});
+  ASSERT_EQ(stored.size(), 1u);
+  EXPECT_EQ(stored[0].job.scene.measures.gauges, plan.jobs[0].scene.measures.gauges);
   EXPECT_EQ(count("snapshots"), 1);
   EXPECT_EQ(count("events WHERE key LIKE '%1'"), 3);
   const auto again = writer.register_study("s", "S", plan.jobs, false);

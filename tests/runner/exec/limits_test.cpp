@@ -67,6 +67,11 @@ TEST_F(ExecutorTest, a_job_that_has_crashed_runs_in_a_process_of_its_own_with_th
   EXPECT_EQ(own.result.collapsibility, expected.collapsibility);
   ASSERT_EQ(own.result.area_history.size(), expected.area_history.size());
   EXPECT_EQ(own.result.area_history[7].void_area, expected.area_history[7].void_area);
+  ASSERT_EQ(own.result.histories.size(), 1u) << "the gauges of the scene reach that process";
+  EXPECT_EQ(own.result.histories[0].name, "rear");
+  EXPECT_EQ(own.result.histories[0].unit, "m/s");
+  EXPECT_EQ(own.result.histories[0].times, expected.histories[0].times);
+  EXPECT_EQ(own.result.histories[0].values, expected.histories[0].values);
   ASSERT_EQ(own.result.metrics.size(), 2u);
   EXPECT_EQ(own.result.metrics[0].name, "roundness");
   EXPECT_EQ(own.result.metrics[0].error, 0.1);

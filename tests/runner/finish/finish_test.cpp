@@ -109,6 +109,81 @@ TEST_F(WholeStudy, FiguresSayWhatIsNotDone) {
   EXPECT_NE(printed.find("2 of 4 jobs are not done"), std::string::npos) << printed;
 }
 
+// What gauges see goes from the file into the views; numbers of it into fits, intervals and figures.
+TEST_F(WholeStudy, HistoriesReachTheCatalogAndAreDrawn) {
+  std::ofstream(file()) << R"(
+schema = 1
+name   = "gauges"
+scene  = "planar-impact"
+[parameters]
+material     = "aluminium"
+impact_speed = ["200 m/s", "300 m/s"]
+block_width  = "3.2 um"
+block_height = "8 um"
+end_time     = "1.1 ns"
+[numerics]
+cell_size = "0.2 um"
+ladder = 3
+[measure]
+area_every = "0.05 ns"
+[[gauge]]
+name   = "middle"
+of     = "pressure"
+point  = ["0.4 um", "3 um"]
+reduce = { plateau = "mean 0.9 ns to 1 ns" }
+[[gauge]]
+name = "push"
+of   = "force"
+wall = "bottom"
+[[fit]]
+x     = "impact_speed"
+y     = "middle.plateau"
+model = "linear"
+[[figure]]
+name  = "middle"
+kind  = "history"
+y     = "middle"
+[[figure]]
+name  = "plateau"
+kind  = "xy"
+x     = "impact_speed"
+y     = "middle.plateau"
+)";
+  std::string printed;
+  ASSERT_EQ(mpmstudy("run " + file().string(), printed), 0) << printed;
+  EXPECT_NE(printed.find("middle.plateau"), std::string::npos) << printed;
+  for (const char* name : {"middle.png", "plateau.svg"})
+    EXPECT_TRUE(fs::exists(results() / "figures" / "gauges" / name)) << name;
+  const auto rows = [&](const std::string& sql) { return mpmstudy::query(results(), sql).rows; };
+  const auto samples = rows(
+      "SELECT h.name, h.unit, count(*), min(h.time_s), max(h.time_s) FROM jobs j JOIN history h USING (key) "
+      "WHERE j.study = 'gauges' AND j.impact_speed_m_s = 300 GROUP BY h.name ORDER BY h.name");
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_EQ(std::get<std::string>(samples[0][0]), "middle");
+  EXPECT_EQ(std::get<std::string>(samples[0][1]), "Pa");
+  EXPECT_EQ(std::get<std::int64_t>(samples[0][2]), 23);
+  EXPECT_EQ(std::get<double>(samples[0][3]), 0);
+  EXPECT_EQ(std::get<double>(samples[0][4]), 1.1e-9);
+  EXPECT_EQ(std::get<std::int64_t>(samples[1][2]), 22) << "a force needs two times";
+  const auto metrics = rows(
+      "SELECT m.name, m.value, m.error, a.cells FROM jobs j JOIN metrics m USING (key) "
+      "JOIN accuracy a ON a.key = j.key AND a.quantity = m.name WHERE j.impact_speed_m_s = 300 AND "
+      "m.name = 'middle.plateau'");
+  ASSERT_EQ(metrics.size(), 1u);
+  EXPECT_NEAR(std::get<double>(metrics[0][1]), 2700.0 * 5750 * 300, 0.05 * 2700 * 5750 * 300);
+  EXPECT_GT(std::get<double>(metrics[0][2]), 0) << "the interval of three cells";
+  EXPECT_EQ(std::get<std::int64_t>(metrics[0][3]), 3);
+  const auto fits = rows("SELECT unit FROM fits WHERE quantity = 'middle.plateau' ORDER BY coefficient");
+  ASSERT_EQ(fits.size(), 2u);
+  EXPECT_EQ(std::get<std::string>(fits[1][0]), "Pa/(m/s)");
+  printed.clear();
+  EXPECT_EQ(mpmstudy("export --what history --study gauges", printed), 0);
+  EXPECT_EQ(printed.find("key,name,time_s,value,unit\r\n"), 0u) << printed.substr(0, 100);
+  // the histories are what makes a job come out the same
+  printed.clear();
+  EXPECT_EQ(mpmstudy("verify 1", printed), 0) << printed;
+}
+
 constexpr const char* cavity = R"(
 schema = 1
 name   = "cavity"

@@ -27,6 +27,7 @@ TEST(Labels, AreThoseOfTheTables) {
   EXPECT_EQ(label("stress_xy", 2e9), "Shear stress xy (GPa)");
   EXPECT_EQ(label("von_mises", 2e9), "Von Mises stress q (GPa)");
   EXPECT_EQ(label("time", 2e-9), "Time t (ns)");
+  EXPECT_EQ(label("rear.max", 200, "m/s"), "rear.max (m/s)");
   EXPECT_EQ(label("rod_length_m", 0.1, "m"), "Rod length (mm)");
 }
 
@@ -35,6 +36,11 @@ TEST(Labels, EveryUnitOfTheTablesHasScales) {
     EXPECT_TRUE(analysis::is_known_unit(row.unit)) << row.name << " [" << row.unit << "]";
   for (const mpm::Field& field : mpm::fields())
     EXPECT_TRUE(analysis::is_known_unit(field.unit)) << field.name << " [" << field.unit << "]";
+  using mpm::GaugeTarget;
+  for (const auto target : {GaugeTarget::point, GaugeTarget::body, GaugeTarget::wall})
+    for (const mpm::GaugeQuantity& one : mpm::gauge_quantities(target))
+      for (const auto unit : {one.unit, one.axisymmetric, one.three_d})
+        EXPECT_TRUE(analysis::is_known_unit(unit)) << one.name << " [" << unit << "]";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "libmpm/io/fields.hpp"
+#include "libmpm/scene/gauge.hpp"
 #include "runner/study/figure_kinds.hpp"
 #include "runner/study/schema.hpp"
 
@@ -81,6 +82,32 @@ TEST(StudiesReadme, FieldsAreThoseOfSnapshots) {
   EXPECT_NE(text.find(fields), std::string::npos) << "put this into studies/README.md:\n" << fields;
 }
 
+/// The table as it has to stand in studies/GAUGES.md.
+std::string gauge_table() {
+  using mpm::GaugeTarget;
+  std::string text = "| a gauge at | `of` | unit | meaning |\n|---|---|---|---|\n";
+  for (const auto& [target, words] :
+       {std::pair{GaugeTarget::place, "a point, a place, a beam"}, std::pair{GaugeTarget::body, "a body"},
+        std::pair{GaugeTarget::wall, "a wall"}})
+    // what a place has, points and beams have, too; position is theirs alone
+    for (const mpm::GaugeQuantity& one :
+         mpm::gauge_quantities(target == GaugeTarget::place ? GaugeTarget::point : target)) {
+      const bool shared = mpm::find_gauge_quantity(target, one.name);
+      text += "| " + std::string(shared ? words : "a point, a beam") + " | `" + std::string(one.name) +
+              "` | " + std::string(one.unit);
+      if (one.axisymmetric != one.unit)
+        text += " (" + std::string(one.axisymmetric) + ", " + std::string(one.three_d) + ")";
+      text += " | " + std::string(one.meaning) + " |\n";
+    }
+  return text;
+}
+
+TEST(StudiesReadme, GaugeTableIsTrue) {
+  EXPECT_NE(page("GAUGES.md").find(gauge_table()), std::string::npos)
+      << "put this table into studies/GAUGES.md:\n"
+      << gauge_table();
+}
+
 TEST(StudiesReadme, NamesEveryKindOfFigure) {
   for (const FigureKindRow& row : figure_kinds)
     EXPECT_NE(page("README.md").find("| `\"" + std::string(row.word) + "\"` |"), std::string::npos)
@@ -88,7 +115,7 @@ TEST(StudiesReadme, NamesEveryKindOfFigure) {
 }
 
 TEST(StudiesReadme, NamesEveryKeyAndTable) {
-  const std::string text = page("README.md") + page("PARAMETERS.md") + page("SWEEPS.md");
+  const std::string text = page("README.md") + page("PARAMETERS.md") + page("SWEEPS.md") + page("GAUGES.md");
   for (const std::string_view table : table_names()) {
     for (const std::string_view key : keys_of(table))
       EXPECT_NE(text.find("`" + std::string(key) + "`"), std::string::npos) << table << " " << key;

@@ -1,0 +1,31 @@
+#pragma once
+/// [[gauge]]: what the jobs of a study record over time.
+#include <map>
+#include <string>
+#include <vector>
+
+#include "libmpm/scene/gauge.hpp"
+#include "runner/study/mistakes.hpp"
+#include "runner/study/units.hpp"
+
+namespace mpmstudy {
+
+/// A gauge as it is written.
+struct GaugeRequest {
+  mpm::Gauge gauge;
+  Place place;  ///< of its table
+  /// Of its keys, where each value stands: "point", "reduce.plateau".
+  struct Written {
+    Place place;
+    std::string text;
+  };
+  std::map<std::string, Written> keys;
+};
+
+/// By name: the order in which a file has them is no part of what a job is.
+std::vector<GaugeRequest> read_gauges(const Table& document, const Units&, Mistakes&);
+
+/// "rear.max", ...: all that the gauges of a study come to.
+std::vector<std::string> metrics_of(const std::vector<mpm::Gauge>&);
+
+}  // namespace mpmstudy
