@@ -19,6 +19,7 @@ namespace {
 constexpr std::string_view all_bodies = "all";
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_yet = std::numeric_limits<double>::infinity();
 
 template <int axes>
 Vec<axes> vector_of(const std::vector<double>& place) {
@@ -218,6 +219,7 @@ BasicGauges<axes>::BasicGauges(const Scene& scene, const State& state) : gauges_
     reads_.push_back(reading_of(gauge, scene, state));
     const GaugeQuantity& quantity = *find_gauge_quantity(gauge.target, gauge.of);
     histories_.push_back({gauge.name, std::string(quantity.unit_in(scene.space)), {}, {}});
+    stop_times_.push_back(not_yet);
   }
 }
 
@@ -261,16 +263,34 @@ void BasicGauges<axes>::after_step(const State&, const StepReport& report, doubl
 }
 
 template <int axes>
+bool BasicGauges<axes>::decided() const {
+  return std::ranges::any_of(stop_times_, [](double time) { return std::isfinite(time); });
+}
+
+template <int axes>
 void BasicGauges<axes>::sample(const State& s, Observer&) {
   for (std::size_t g = 0; g < gauges_.size(); ++g) {
     History& history = histories_[g];
     // a run that is decided at a sample is sampled again at its end
     if (!history.times.empty() && history.times.back() == s.time) continue;
     const double value = reads_[g] ? reads_[g](s) : mean_force(s.time);
-    if (std::isfinite(value)) history.times.push_back(s.time), history.values.push_back(value);
+    if (!std::isfinite(value)) continue;
+    history.times.push_back(s.time), history.values.push_back(value);
+    for (const Threshold& stop : gauges_[g].stops)
+      if (!std::isfinite(stop_times_[g])) stop_times_[g] = time_beyond(history, stop);
   }
   impulse_ = 0;
   last_sample_ = s.time;
+}
+
+double time_beyond(const History& h, const Threshold& stop) {
+  const auto beyond = [&](double value) { return stop.below ? value < stop.value : value > stop.value; };
+  const double time = h.times.back(), value = h.values.back();
+  if (time < stop.after || !beyond(value)) return not_yet;
+  if (h.times.size() < 2 || beyond(h.values[h.values.size() - 2])) return time;
+  const double time_before = h.times[h.times.size() - 2], before = h.values[h.values.size() - 2];
+  const double part = (stop.value - before) / (value - before);
+  return std::max(stop.after, time_before + part * (time - time_before));
 }
 
 std::optional<double> reduced(const History& h, const Reduction& reduction) {
@@ -313,12 +333,15 @@ void BasicGauges<axes>::finish(const State&, RunResult& result) const {
     add("end", h.values.back());
     for (const Reduction& reduction : gauges_[g].reductions)
       if (const auto value = reduced(h, reduction)) add(reduction.name, *value);
+    if (std::isfinite(stop_times_[g]))
+      result.metrics.push_back({h.name + "." + std::string(stop_metric), stop_times_[g], "s", {}});
   }
 }
 
 template <int axes>
 void BasicGauges<axes>::carry(Archive& a) {
   a.number("impulse", impulse_), a.number("last_sample", last_sample_);
+  a.numbers("stop_times", stop_times_);
   for (std::size_t g = 0; g < histories_.size(); ++g) {
     Archive one = a.part(std::to_string(g));
     one.numbers("times", histories_[g].times), one.numbers("values", histories_[g].values);
@@ -402,18 +425,27 @@ class GaugeCheck {
       add("wall", gauge_.wall, "of a scene that is open above: its force is not told from that of the top");
   }
   void reductions() {
-    std::set<std::string_view> names(std::begin(gauge_metrics), std::end(gauge_metrics));
+    std::set<std::string_view> names;
     for (const Reduction& one : gauge_.reductions) {
       const std::string key = "reduce." + one.name;
       const std::string times = text_of(one.from) + " s to " + text_of(one.to) + " s";
       if (!is_gauge_name(one.name))
         add(key, one.name, "up to 60 letters, digits, '-' and '_'");
-      else if (!names.insert(one.name).second)
-        add(key, one.name, "a name of its own; max, min and end every gauge has");
+      else if (is_kept_name(one.name) || !names.insert(one.name).second)
+        add(key, one.name, "a name of its own, and not max, min, end or stop");
       if (!(one.from >= 0 && one.from <= one.to))
         add(key, times, "from 0 s on, the first time not after the second");
       else if (!(one.to <= scene_.end_time))
         add(key, times, "up to end_time (" + text_of(scene_.end_time) + " s)");
+    }
+  }
+
+  void stops() {
+    for (const Threshold& one : gauge_.stops) {
+      if (!std::isfinite(one.value)) add("stop", text_of(one.value), "a finite number");
+      if (!(one.after >= 0 && one.after < scene_.end_time))
+        add("after", text_of(one.after) + " s",
+            "from 0 s on and before end_time (" + text_of(scene_.end_time) + " s)");
     }
   }
 
@@ -440,6 +472,7 @@ void check_all(const Scene& scene, const Walls& walls, const Vec<axes>& low, con
     check.name(names.insert(gauge.name).second);
     check.quantity();
     check.reductions();
+    check.stops();
     switch (gauge.target) {
       case GaugeTarget::body:
         check.body();

@@ -25,8 +25,8 @@ namespace mpm {
 /// Velocities are those that particles carry, which are half a time step older than their stresses
 /// (step.hpp). Stress and pressure are without artificial viscosity, as in snapshots. What depends on mass is
 /// per metre of depth in plane strain, per radian in axisymmetry, and whole in three dimensions; units say
-/// so. Metrics: GAUGE.max, GAUGE.min, GAUGE.end, and those of its reductions that the run was long enough
-/// for. Checked by tests/libmpm/gauges_test.cpp.
+/// so. Metrics: GAUGE.max, GAUGE.min, GAUGE.end, those of its reductions that the run was long enough for,
+/// and GAUGE.stop, the time at which a threshold ended it. Checked by tests/libmpm/gauges_test.cpp.
 template <int axes>
 class BasicGauges : public BasicMeasurement<axes> {
  public:
@@ -36,6 +36,7 @@ class BasicGauges : public BasicMeasurement<axes> {
   /// At time 0. The gauges have no problems (find_problems).
   BasicGauges(const Scene&, const State&);
   void after_step(const State&, const StepReport&, double dt) override;
+  bool decided() const override;
   void sample(const State&, Observer&) override;
   void finish(const State&, RunResult&) const override;
   void carry(Archive&) override;
@@ -49,14 +50,19 @@ class BasicGauges : public BasicMeasurement<axes> {
   std::vector<Gauge> gauges_;
   std::vector<Read> reads_;
   std::vector<History> histories_;
-  double impulse_ = 0;      ///< that the wall has given since the last sample, along its normal
-  double last_sample_ = 0;  ///< [s]
+  std::vector<double> stop_times_;  ///< when each gauge passed a threshold [s]; infinite: it has not
+  double impulse_ = 0;              ///< that the wall has given since the last sample, along its normal
+  double last_sample_ = 0;          ///< [s]
 };
 
 /// Particles [first, last) of the body of that name of a composed scene; "all": of all of them.
 template <int axes>
 typename BasicParticles<axes>::Range body_range(const Scene&, const BasicState<axes>&,
                                                 const std::string& name);
+
+/// When the last step of a history, from one sample to the next, went beyond a threshold [s]; infinite: it
+/// did not.
+double time_beyond(const History&, const Threshold&);
 
 /// What a reduction comes to; empty where the history does not reach it.
 std::optional<double> reduced(const History&, const Reduction&);

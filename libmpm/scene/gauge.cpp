@@ -98,11 +98,22 @@ const GaugeQuantity* find_gauge_quantity(GaugeTarget target, std::string_view na
   return nullptr;
 }
 
+bool is_kept_name(std::string_view name) {
+  return name == stop_metric || std::ranges::find(gauge_metrics, name) != std::end(gauge_metrics);
+}
+
 std::vector<std::string> metrics_of(const Gauge& gauge) {
   std::vector<std::string> names;
   for (const std::string_view word : gauge_metrics) names.push_back(gauge.name + "." + std::string(word));
   for (const Reduction& one : gauge.reductions) names.push_back(gauge.name + "." + one.name);
+  if (!gauge.stops.empty()) names.push_back(gauge.name + "." + std::string(stop_metric));
   return names;
+}
+
+std::string_view unit_of_metric(const Gauge& gauge, std::string_view metric, Space space) {
+  if (metric == gauge.name + "." + std::string(stop_metric)) return "s";
+  const GaugeQuantity* quantity = find_gauge_quantity(gauge.target, gauge.of);
+  return quantity ? quantity->unit_in(space) : "1";
 }
 
 bool is_gauge_name(std::string_view name) {

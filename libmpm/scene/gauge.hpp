@@ -29,12 +29,22 @@ enum class Window {
   smallest,  ///< of the samples
 };
 
-/// One number of a history: the metric "GAUGE.NAME". max, min and end (the last value) every gauge has.
+/// One number of a history: the metric "GAUGE.NAME". max, min and end (the last value) every gauge has, and
+/// stop is that of its thresholds.
 struct Reduction {
   std::string name;
   Window window = Window::mean;
   double from = 0, to = 0;  ///< [s], from <= to
   bool operator==(const Reduction&) const = default;
+};
+
+/// The run ends at the first sample from `after` on that is beyond the value. When it was there is the metric
+/// "GAUGE.stop", between samples by a straight line.
+struct Threshold {
+  bool below = true;  ///< false: above
+  double value = 0;   ///< in the unit of the gauge
+  double after = 0;   ///< [s]
+  bool operator==(const Threshold&) const = default;
 };
 
 struct Gauge {
@@ -46,6 +56,7 @@ struct Gauge {
   std::string body = "all";        ///< of a body: which
   std::string wall = "bottom";     ///< of a wall: which
   std::vector<Reduction> reductions = {};
+  std::vector<Threshold> stops = {};
   bool operator==(const Gauge&) const = default;
 };
 
@@ -72,8 +83,13 @@ const GaugeQuantity* find_gauge_quantity(GaugeTarget, std::string_view name);
 
 /// Metrics that every gauge has: "NAME.max", "NAME.min", "NAME.end".
 inline constexpr std::string_view gauge_metrics[] = {"max", "min", "end"};
-/// All metrics of a gauge: those, and its reductions.
+inline constexpr std::string_view stop_metric = "stop";
+/// Whether a reduction may not have this name: it is that of another metric.
+bool is_kept_name(std::string_view);
+/// All metrics of a gauge: those, its reductions, and "NAME.stop" where it can end a run.
 std::vector<std::string> metrics_of(const Gauge&);
+/// SI unit of one of them: that of what the gauge reads, or s.
+std::string_view unit_of_metric(const Gauge&, std::string_view metric, Space);
 /// Whether a metric is one of a gauge: no other has a dot in its name.
 inline bool is_of_gauge(std::string_view metric) { return metric.find('.') != metric.npos; }
 

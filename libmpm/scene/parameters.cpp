@@ -44,7 +44,7 @@ constexpr Quantity common_quantities[] = {
     {"quadratic_viscosity", "1", "", "quadratic_viscosity", "quadratic coefficient of the artificial viscosity",
      N, non_negative, optional, "", FIELD(numerics.quadratic_viscosity)},
 
-    {"area_every", "s", "", "area_every_s", "period of the area history",
+    {"area_every", "s", "", "area_every_s", "period of the area history and of gauges",
      Section::measure, positive, optional, "", FIELD(measures.area_every)},
 };
 // clang-format on

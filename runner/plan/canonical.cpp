@@ -32,6 +32,10 @@ void append_gauge(std::string& text, const mpm::Gauge& gauge) {
     text.append(" ").append(one.name).append(" ").append(mpm::to_string(one.window));
     add_number(one.from), add_number(one.to);
   }
+  for (const mpm::Threshold& one : gauge.stops) {
+    text.append(one.below ? " stop below" : " stop above");
+    add_number(one.value), add_number(one.after);
+  }
   text.append("\n");
 }
 

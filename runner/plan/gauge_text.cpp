@@ -33,6 +33,9 @@ std::string gauges_text(const std::vector<mpm::Gauge>& gauges) {
                                {"window", std::string(mpm::to_string(r.window))},
                                {"from_s", r.from},
                                {"to_s", r.to}});
+    for (const mpm::Threshold& t : gauge.stops)
+      one["stop"].push_back(
+          {{"when", t.below ? "below" : "above"}, {"value", t.value}, {"after_s", t.after}});
     all.push_back(std::move(one));
   }
   return all.dump();
@@ -60,6 +63,8 @@ std::vector<mpm::Gauge> gauges_from_text(const std::string& text) try {
       if (!window) throw std::invalid_argument("it has a window of another kind");
       gauge.reductions.push_back({r.at("name"), *window, r.at("from_s"), r.at("to_s")});
     }
+    for (const auto& t : one.value("stop", nlohmann::json::array()))
+      gauge.stops.push_back({t.at("when") == "below", t.at("value"), t.at("after_s")});
   }
   return gauges;
 } catch (const std::exception& error) {

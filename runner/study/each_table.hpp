@@ -17,7 +17,9 @@ void for_each_table(const Table& document, std::string_view name, Mistakes& mist
   const bool tables =
       list && std::all_of(list->begin(), list->end(), [](const Value& v) { return v.table() != nullptr; });
   if (!tables) {
-    mistakes.add(entry->place, name, {"not an array of tables", "write [[" + std::string(name) + "]]"});
+    std::string instead = "write [[" + std::string(name) + "]]";
+    if (const auto home = table_of(name)) instead += ", or move it into [" + std::string(*home) + "]";
+    mistakes.add(entry->place, name, {"not an array of tables", instead});
     return;
   }
   for (const Value& value : *list) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <tuple>
 
 #include "runner/study/each_table.hpp"
 #include "runner/study/quantity_text.hpp"
@@ -123,10 +124,9 @@ class GaugeReader {
     }
     for (const Entry& entry : entries->entries) {
       remember("reduce." + entry.key, entry.value);
-      const auto known = std::ranges::find(mpm::gauge_metrics, entry.key);
-      if (known != std::end(mpm::gauge_metrics))
+      if (mpm::is_kept_name(entry.key))
         mistakes_.add(entry.key, entry.value,
-                      {"every gauge has its max, min and end", "allowed: another name"});
+                      {"a gauge has its max, min, end and stop by itself", "allowed: another name"});
       else if (!mpm::is_gauge_name(entry.key))
         mistakes_.add(entry.key, entry.value, {"cannot be a metric's name", allowed_name});
       else if (auto reduction = read_reduction(entry))
@@ -178,7 +178,85 @@ class GaugeReader {
   GaugeRequest request_;
 };
 
+/// Without the spaces around it.
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// Reads [[stop]] into the gauges.
+class StopReader {
+ public:
+  StopReader(const std::vector<mpm::Space>& spaces, const Units& units, std::vector<GaugeRequest>& gauges,
+             Mistakes& mistakes)
+      : spaces_(spaces), units_(units), gauges_(gauges), mistakes_(mistakes) {}
+
+  void read(const Entry& entry, const Table& table) {
+    mpm::Threshold threshold;
+    if (const Entry* after = table.find("after"))
+      read_number(*after, {"s", mpm::Range::non_negative}, after->value, threshold.after);
+    const auto when = required_string(table, entry.place, "when", "\"rear < 0 m/s\"", mistakes_);
+    if (!when) return;
+    const Entry& condition = *table.find("when");
+    const auto sign = when->find_first_of("<>");
+    if (sign == std::string::npos)
+      return mistakes_.add("when", condition.value,
+                           {"not a condition", "allowed: a gauge, < or >, and a value: \"rear < 0 m/s\""});
+    threshold.below = (*when)[sign] == '<';
+    GaugeRequest* gauge = find(trimmed(when->substr(0, sign)), condition.value);
+    const auto* quantity = gauge ? mpm::find_gauge_quantity(gauge->gauge.target, gauge->gauge.of) : nullptr;
+    if (!quantity) return;  // said already
+    const std::string_view unit = quantity->unit_in(spaces_.front());
+    if (std::ranges::any_of(spaces_, [&](mpm::Space s) { return quantity->unit_in(s) != unit; }))
+      return mistakes_.add(
+          "when", condition.value,
+          {"is of another unit in each space of the study", "allowed: a study of one space"});
+    const Value value{condition.value.place, trimmed(when->substr(sign + 1))};
+    if (!read_number(condition, {unit}, value, threshold.value)) return;
+    gauge->gauge.stops.push_back(threshold);
+    if (const Entry* after = table.find("after"))
+      gauge->keys["after"] = {after->value.place, after->value.written()};
+  }
+
+ private:
+  GaugeRequest* find(const std::string& name, const Value& where) {
+    std::vector<std::string_view> names;
+    for (GaugeRequest& one : gauges_) {
+      if (one.gauge.name == name) return &one;
+      names.push_back(one.gauge.name);
+    }
+    mistakes_.add("when", where,
+                  names.empty() ? Refusal{"there is no [[gauge]]", "add one that it can look at"}
+                                : unknown_word(name, "gauge", names));
+    return nullptr;
+  }
+  bool read_number(const Entry& entry, const Expected& expected, const Value& value, double& number) {
+    const Number read = read_quantity(value, expected, units_);
+    if (const auto* refusal = std::get_if<Refusal>(&read)) {
+      mistakes_.add(entry.key, entry.value, *refusal);
+      return false;
+    }
+    number = std::get<double>(read) + 0.0;
+    return true;
+  }
+
+  const std::vector<mpm::Space>& spaces_;
+  const Units& units_;
+  std::vector<GaugeRequest>& gauges_;
+  Mistakes& mistakes_;
+};
+
 }  // namespace
+
+void read_stops(const Table& document, const std::vector<mpm::Space>& spaces, const Units& units,
+                std::vector<GaugeRequest>& gauges, Mistakes& mistakes) {
+  StopReader reader(spaces, units, gauges, mistakes);
+  for_each_table(document, "stop", mistakes,
+                 [&](const Entry& entry, const Table& table) { reader.read(entry, table); });
+  for (GaugeRequest& one : gauges)
+    std::ranges::sort(one.gauge.stops, {},
+                      [](const mpm::Threshold& t) { return std::tuple(t.below, t.value, t.after); });
+}
 
 std::vector<GaugeRequest> read_gauges(const Table& document, const Units& units, Mistakes& mistakes) {
   std::vector<GaugeRequest> gauges;

@@ -25,6 +25,10 @@ struct GaugeRequest {
 /// By name: the order in which a file has them is no part of what a job is.
 std::vector<GaugeRequest> read_gauges(const Table& document, const Units&, Mistakes&);
 
+/// [[stop]]: adds to the gauges at what values they end a run. `spaces`: those of the study, one or more.
+void read_stops(const Table& document, const std::vector<mpm::Space>& spaces, const Units&,
+                std::vector<GaugeRequest>&, Mistakes&);
+
 /// "rear.max", ...: all that the gauges of a study come to.
 std::vector<std::string> metrics_of(const std::vector<mpm::Gauge>&);
 

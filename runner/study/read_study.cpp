@@ -195,6 +195,7 @@ class Reader {
 
   void read_all_gauges() {
     request_.gauges = read_gauges(document_, units_, mistakes_);
+    read_stops(document_, spaces(), units_, request_.gauges, mistakes_);
     for (const GaugeRequest& one : request_.gauges) study_.gauges.push_back(one.gauge);
     if (request_.gauges.empty()) return;
     study_.given.emplace_back("gauges");
@@ -205,8 +206,7 @@ class Reader {
     study_.ladder = read_ladder(table("numerics"), kind_, metrics_of(study_.gauges), units_, mistakes_);
     for (const mpm::Gauge& gauge : study_.gauges)
       if (study_.ladder.quantity.starts_with(gauge.name + "."))
-        if (const auto* quantity = mpm::find_gauge_quantity(gauge.target, gauge.of))
-          study_.ladder.unit = quantity->unit_in(spaces().front());
+        study_.ladder.unit = mpm::unit_of_metric(gauge, study_.ladder.quantity, spaces().front());
     if (study_.ladder.finds_cell) said_.emplace_back("cell_size");
     request_.ladder = study_.ladder;
     const Table* numerics = table("numerics");
@@ -313,7 +313,7 @@ class Reader {
       std::vector<mpm::Space> all;
       for (const Point& point : axis.points)
         all.push_back(static_cast<mpm::Space>(static_cast<int>(point.value)));
-      return all;
+      if (!all.empty()) return all;
     }
     return {mpm::Space::plane_strain};
   }

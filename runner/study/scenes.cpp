@@ -115,7 +115,7 @@ class Reporter {
       const bool known = written != one.keys.end();
       mistakes_.add(known ? written->second.place : one.place, key.substr(key.find('.') + 1),
                     known ? written->second.text : problem.value,
-                    {"cannot be read by gauge " + one.gauge.name,
+                    {"is wrong for gauge " + one.gauge.name,
                      "allowed: " + in_file_units(problem.allowed, problem.parameter)});
       return true;
     }

@@ -23,6 +23,7 @@ const std::vector<Keys>& other_keys() {
       {"expect", {"outcome", "energy_error", "reason", "why"}},
       {"fit", {"x", "y", "model"}},
       {"gauge", {"name", "of", "point", "place", "beam", "direction", "body", "wall", "reduce"}},
+      {"stop", {"when", "after"}},
       {"figure", {"name", "title", "kind", "x", "y"}},
   };
   return keys;
@@ -80,7 +81,7 @@ std::string_view table_name(mpm::Section section) {
 }
 
 bool is_array_table(std::string_view table) {
-  return table == "fit" || table == "figure" || table == "gauge";
+  return table == "fit" || table == "figure" || table == "gauge" || table == "stop";
 }
 
 std::vector<std::string_view> table_names() {

@@ -17,7 +17,7 @@ std::string_view table_name(mpm::Section);
 
 /// Tables of a study file; "" is its top.
 std::vector<std::string_view> table_names();
-/// [[fit]], [[figure]] and [[gauge]] are arrays of tables.
+/// [[fit]], [[figure]], [[gauge]] and [[stop]] are arrays of tables.
 bool is_array_table(std::string_view table);
 
 /// The keys of a table. With a kind: those that this kind of scene has.

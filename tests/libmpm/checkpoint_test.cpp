@@ -110,6 +110,14 @@ TEST_F(Checkpoint, of_a_cavity) {
   EXPECT_EQ(checked, 2) << "fast and reference";
 }
 
+TEST_F(Checkpoint, of_a_run_that_a_gauge_ends) {
+  mpm::Scene s = collapse();
+  s.measures.gauges[1].stops = {{false, 3e-4, 0}};  // J/m, of 1.1e-3 that the block has
+  expect_same_bits(s);
+  EXPECT_EQ(checked, 2);
+  EXPECT_TRUE(mpm::run(s).find("energy.stop"));
+}
+
 TEST_F(Checkpoint, of_a_sphere) {
   mpm::Scene s = collapse();
   s.space = mpm::Space::axisymmetric;

@@ -71,6 +71,14 @@ const mpm::History& history(const mpm::RunResult& r, const char* name) {
   return *found;
 }
 
+/// "gauge.a.of = ...: must be ..." of each problem.
+std::vector<std::string> problems(const mpm::Scene& s) {
+  std::vector<std::string> lines;
+  for (const mpm::Problem& p : mpm::find_problems(s))
+    lines.push_back(p.parameter + " = " + p.value + ": " + p.allowed);
+  return lines;
+}
+
 /// What the gauges of a plate have to read, in any space and by any kernel.
 void expect_exact(const mpm::Scene& s, const mpm::RunResult& r) {
   ASSERT_EQ(r.status, mpm::RunStatus::done) << r.reason;
@@ -277,6 +285,42 @@ class Threads : public mpm::Observer {
   int threads() override { return 2; }
 };
 
+TEST(Gauges, EndARunAtTheFirstSampleBeyondAThreshold) {
+  const mpm::History h{"a", "1", {0, 1, 2}, {1, 0.5, -0.5}};
+  EXPECT_EQ(mpm::time_beyond(h, {true, 0, 0}), 1.5);
+  EXPECT_EQ(mpm::time_beyond(h, {true, 0, 1.75}), 1.75);
+  EXPECT_EQ(mpm::time_beyond(h, {true, 0.75, 0}), 2) << "it was below before";
+  EXPECT_TRUE(std::isinf(mpm::time_beyond(h, {true, 0, 2.5})));
+  EXPECT_TRUE(std::isinf(mpm::time_beyond(h, {false, 0, 0})));
+
+  mpm::Scene s = plate();
+  s.measures.gauges = all_gauges(2);
+  for (Gauge& gauge : s.measures.gauges)
+    if (gauge.name == "rear") gauge.stops = {{false, 0, 0}, {true, -1e9, 0}};
+  ASSERT_THAT(problems(s), testing::ElementsAre());
+  const mpm::RunResult r = mpm::run(s);
+  ASSERT_EQ(r.status, mpm::RunStatus::done) << r.reason;
+  const mpm::History& rear = history(r, "rear");
+  const std::size_t n = rear.values.size();
+  ASSERT_LT(n, 100u) << "the shock is at the rear after 1.46 of 2.4 ns";
+  EXPECT_GT(rear.values[n - 1], 0);
+  EXPECT_LE(rear.values[n - 2], 0);
+  EXPECT_EQ(history(r, "mass").times, rear.times) << "the run ends there, each sample once";
+  ASSERT_TRUE(r.find("rear.stop"));
+  EXPECT_EQ(r.find("rear.stop")->unit, "s");
+  EXPECT_GT(r.find("rear.stop")->value, rear.times[n - 2]);
+  EXPECT_LE(r.find("rear.stop")->value, rear.times[n - 1]);
+  EXPECT_NEAR(r.find("rear.stop")->value, 1.46 * ns, 0.06 * ns);
+  EXPECT_FALSE(r.find("rear.pull")) << "its window was not reached";
+  EXPECT_FALSE(r.find("push.stop"));
+
+  // Later: the threshold is passed already.
+  for (Gauge& gauge : s.measures.gauges)
+    if (gauge.name == "rear") gauge.stops = {{false, 0, 2 * ns}};
+  const mpm::RunResult later = mpm::run(s);
+  EXPECT_NEAR(scenes::metric(later, "rear.stop"), 2 * ns, s.measures.area_every);
+}
+
 TEST(Gauges, HaveTheSameBitsOnTwoThreads) {
   mpm::Scene s = scenes::cavity(0.04 * um);
   s.impact_speed = 1120;
@@ -298,14 +342,6 @@ TEST(Gauges, HaveTheSameBitsOnTwoThreads) {
     EXPECT_FALSE(one.histories[g].values.empty()) << one.histories[g].name;
     EXPECT_EQ(one.histories[g].values, two.histories[g].values) << one.histories[g].name;
   }
-}
-
-/// "gauge.a.of = ...: must be ..." of each problem.
-std::vector<std::string> problems(const mpm::Scene& s) {
-  std::vector<std::string> lines;
-  for (const mpm::Problem& p : mpm::find_problems(s))
-    lines.push_back(p.parameter + " = " + p.value + ": " + p.allowed);
-  return lines;
 }
 
 TEST(Gauges, ThatAreWrongAreRefused) {
@@ -353,9 +389,13 @@ TEST(Gauges, ThatAreWrongAreRefused) {
   EXPECT_THAT(changed([](Gauge& g) { g.target = GaugeTarget::wall, g.of = "force", g.wall = "top"; }),
               ElementsAre("gauge.a.wall = top: bottom"));
   EXPECT_THAT(changed([](Gauge& g) {
+                g.stops = {{true, 0, 2 * ns}};
+              }),
+              ElementsAre("gauge.a.after = 2e-09 s: from 0 s on and before end_time (1e-09 s)"));
+  EXPECT_THAT(changed([](Gauge& g) {
                 g.reductions = {{"max", Window::mean, 0, 2 * ns}};
               }),
-              ElementsAre("gauge.a.reduce.max = max: a name of its own; max, min and end every gauge has",
+              ElementsAre("gauge.a.reduce.max = max: a name of its own, and not max, min, end or stop",
                           "gauge.a.reduce.max = 0 s to 2e-09 s: up to end_time (1e-09 s)"));
   mpm::Scene bodies = two_plates();
   const auto of_bodies = [&](Gauge gauge) {

@@ -51,6 +51,21 @@ TEST(GaugesOfAStudy, ReachEveryScene) {
                           "rear.arrived", "rear.peak", "rear.plateau"));
 }
 
+TEST(GaugesOfAStudy, EndRuns) {
+  const char* const stops = R"(
+[[stop]]
+when = "rear > 0.1 km/s"
+[[stop]]
+when = "push<0 N/m"
+after = "2 ns"
+)";
+  const Study study = read_text(study_text({}, std::string(stops) + rear + push));
+  EXPECT_EQ(study.gauges[0].stops, (std::vector<mpm::Threshold>{{true, 0, 2e-9}}));
+  EXPECT_EQ(study.gauges[1].stops, (std::vector<mpm::Threshold>{{false, 100, 0}}));
+  EXPECT_EQ(study.scenes[0].measures.gauges, study.gauges);
+  EXPECT_THAT(metrics_of(study.gauges), testing::Contains("push.stop"));
+}
+
 TEST(GaugesOfAStudy, ArePartOfAJobsKeyAndTheirOrderIsNot) {
   EXPECT_EQ(job_key(scene_of(std::string(rear) + push)), job_key(scene_of(std::string(push) + rear)));
   const mpm::Scene scene = scene_of(std::string(rear) + push);
@@ -68,6 +83,10 @@ TEST(GaugesOfAStudy, ArePartOfAJobsKeyAndTheirOrderIsNot) {
   other([](mpm::Gauge& g) { g.direction = "+y"; });
   other([](mpm::Gauge& g) { g.reductions.pop_back(); });
   other([](mpm::Gauge& g) { g.reductions[0].name = "there"; });
+  other([](mpm::Gauge& g) { g.stops = {{true, 1, 2}}; });
+  other([](mpm::Gauge& g) { g.stops = {{false, 1, 2}}; });
+  other([](mpm::Gauge& g) { g.stops = {{true, 2, 2}}; });
+  other([](mpm::Gauge& g) { g.stops = {{true, 1, 1}}; });
   other([](mpm::Gauge& g) { g.reductions[0].window = mpm::Window::smallest; });
   other([](mpm::Gauge& g) { g.reductions[0].to = 3e-9; });
   other([](mpm::Gauge& g) { g.target = mpm::GaugeTarget::body, g.body = "bar"; });
@@ -78,6 +97,7 @@ TEST(GaugesOfAStudy, ArePartOfAJobsKeyAndTheirOrderIsNot) {
 TEST(GaugesOfAStudy, ComeBackFromTheirTextWithAllBits) {
   std::vector<mpm::Gauge> gauges = scene_of(std::string(rear) + push).measures.gauges;
   gauges[1].place[0] = 1.0 / 3e6;
+  gauges[0].stops = {{true, 1.0 / 3, 0}, {false, 7, 1e-9 / 3}};
   gauges.push_back({.name = "bar", .of = "mass", .target = mpm::GaugeTarget::body, .body = "bar"});
   gauges.push_back(
       {.name = "p", .of = "pressure", .target = mpm::GaugeTarget::point, .place = {0, 5e-324, 1}});
