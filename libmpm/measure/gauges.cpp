@@ -44,11 +44,16 @@ std::function<double(const BasicState<axes>&, std::size_t)> number_of_particle(c
   };
 }
 
-/// (1 - |dx| / h) (1 - |dy| / h) ..., 0 from a distance of h on along any axis.
+/// (1 - |dx| / h) (1 - |dy| / h) ..., 0 from a distance of h on along any axis. Most particles are far away
+/// along the first one.
 template <int axes>
-double nearness(const Vec<axes>& distance, const Vec<axes>& h) {
+double nearness(const Vec<axes>& x, const Vec<axes>& place, const Vec<axes>& h) {
   double product = 1;
-  for (int k = 0; k < axes; ++k) product *= std::max(0.0, 1 - std::abs(distance[k]) / h[k]);
+  for (int k = 0; k < axes; ++k) {
+    const double distance = std::abs(x[k] - place[k]);
+    if (!(distance < h[k])) return 0;
+    product *= 1 - distance / h[k];
+  }
   return product;
 }
 
@@ -78,7 +83,7 @@ Shares shares_around(const Vec<axes>& place, const Vec<axes>& spacing, const Bas
   Shares shares;
   double sum = 0;
   for (std::size_t p = body.first; p < body.last; ++p) {
-    const double weight = nearness<axes>(x[p] - place, spacing);
+    const double weight = nearness<axes>(x[p], place, spacing);
     if (weight > 0) shares.particles.push_back(p), shares.of.push_back(weight), sum += weight;
   }
   if (!(sum > 1e-6)) return {{nearest}, {1.0}};
@@ -89,10 +94,12 @@ Shares shares_around(const Vec<axes>& place, const Vec<axes>& spacing, const Bas
 template <int axes, class Number>
 double at_place(const BasicState<axes>& s, const Vec<axes>& place, const Number& number) {
   double sum = 0, weights = 0;
+  const Vec<axes> cell = s.grid.cell();
   for (std::size_t p = 0; p < s.particles.size(); ++p) {
-    const double weight =
-        s.particles.mass[p] * nearness<axes>(s.particles.position[p] - place, s.grid.cell());
-    if (weight > 0) sum += weight * number(s, p), weights += weight;
+    const double near = nearness<axes>(s.particles.position[p], place, cell);
+    if (!(near > 0)) continue;
+    const double weight = s.particles.mass[p] * near;
+    sum += weight * number(s, p), weights += weight;
   }
   return weights > 0 ? sum / weights : nothing;
 }
@@ -106,11 +113,21 @@ class Beam {
 
   template <class Number>
   double read(const BasicState<axes>& s, const Number& number) const {
+    struct Met {
+      std::size_t particle;
+      double distance;
+    };
+    std::vector<Met> met;
     double first = std::numeric_limits<double>::infinity();
-    for (const Vec<axes>& x : s.particles.position) first = std::min(first, distance(x));
+    for (std::size_t p = 0; p < s.particles.size(); ++p) {
+      const double along = distance(s.particles.position[p]);
+      if (!std::isfinite(along)) continue;
+      met.push_back({p, along});
+      first = std::min(first, along);
+    }
     double sum = 0, mass = 0;
-    for (std::size_t p = 0; p < s.particles.size(); ++p)
-      if (distance(s.particles.position[p]) <= first + 0.5 * cell_[direction_.axis] && std::isfinite(first))
+    for (const auto& [p, along] : met)
+      if (along <= first + 0.5 * cell_[direction_.axis])
         sum += s.particles.mass[p] * number(s, p), mass += s.particles.mass[p];
     return mass > 0 ? sum / mass : nothing;
   }

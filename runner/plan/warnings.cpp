@@ -65,6 +65,7 @@ class Warnings {
     thin_parts();
     bodies_that_hold_together();
     beyond_the_equation_of_state();
+    short_windows();
     return std::move(lines_);
   }
 
@@ -173,6 +174,19 @@ class Warnings {
       say("impact_speed",
           fmt::format("{}the planar shock has {}; the equation of state is valid to pressure_limit = {}",
                       jobs_text(jobs, study_.scenes.size()), readable(highest, "Pa"), readable(limit, "Pa")));
+  }
+
+  /// Windows of gauges in which there may be no sample.
+  void short_windows() {
+    const auto period = [](const mpm::Scene& s) { return s.measures.area_every; };
+    const double longest = period(*std::ranges::max_element(study_.scenes, {}, period));
+    for (const mpm::Gauge& gauge : study_.gauges)
+      for (const mpm::Reduction& one : gauge.reductions)
+        if (one.from < one.to && one.to - one.from < longest * (1 - 1e-9))
+          say("gauges",
+              fmt::format("{}.{} is of {}, and samples are {} apart; write a smaller area_every in "
+                          "[measure]",
+                          gauge.name, one.name, readable(one.to - one.from, "s"), readable(longest, "s")));
   }
 
   bool is_given(std::string_view name) const {

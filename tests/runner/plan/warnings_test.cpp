@@ -113,6 +113,20 @@ TEST(Warnings, ShocksBeyondTheEquationOfState) {
               ElementsAre(HasSubstr("valid to pressure_limit = 270 GPa")));
 }
 
+TEST(Warnings, WindowsOfGaugesWithoutASample) {
+  const std::string gauge = R"(
+[[gauge]]
+name = "push"
+of = "force"
+wall = "bottom"
+reduce = { short = "mean 1 ns to 1.02 ns", long = "mean 1 ns to 2 ns", then = "at 1 ns" }
+)";
+  EXPECT_THAT(warnings(study_text({}, gauge)),
+              ElementsAre(AllOf(HasSubstr("push.short is of 20 ps, and samples are 50 ps apart"),
+                                HasSubstr(":15:"))));
+  EXPECT_THAT(warnings(study_text({}, "[measure]\narea_every = \"0.02 ns\"\n" + gauge)), IsEmpty());
+}
+
 TEST(Warnings, AScaleOfCellsThatAreNotGiven) {
   ReadOptions options;
   options.cells = 2;
