@@ -58,9 +58,11 @@ std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
   if (here.measures.snapshots != there.measures.snapshots)
     all.push_back({"snapshots", counted(std::ssize(here.measures.snapshots), "time"),
                    counted(std::ssize(there.measures.snapshots), "time")});
-  if (here.measures.gauges != there.measures.gauges)
-    all.push_back({"gauges", own_of(here.measures.gauges, there.measures.gauges),
-                   own_of(there.measures.gauges, here.measures.gauges)});
+  if (here.measures.gauges != there.measures.gauges) {
+    const std::string own = own_of(here.measures.gauges, there.measures.gauges);
+    const std::string other = own_of(there.measures.gauges, here.measures.gauges);
+    all.push_back({"gauges", own, own == other ? "in another form" : other});
+  }
   return all;
 }
 

@@ -179,9 +179,22 @@ y     = "middle.plateau"
   printed.clear();
   EXPECT_EQ(mpmstudy("export --what history --study gauges", printed), 0);
   EXPECT_EQ(printed.find("key,name,time_s,value,unit\r\n"), 0u) << printed.substr(0, 100);
-  // the histories are what makes a job come out the same
   printed.clear();
   EXPECT_EQ(mpmstudy("verify 1", printed), 0) << printed;
+
+  // A gauge of another form makes other jobs, and it is said why.
+  std::ifstream in(file());
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  text.replace(text.find("\"3 um\""), 6, "\"4 um\"");
+  std::ofstream(file()) << text;
+  printed.clear();
+  ASSERT_EQ(
+      mpmstudy("run -q " + file().string() + " --set impact_speed='\"300 m/s\"' --set ladder=1", printed), 1)
+      << printed;
+  const auto newest = rows("SELECT key FROM jobs ORDER BY started_at DESC LIMIT 1");
+  printed.clear();
+  EXPECT_EQ(mpmstudy("explain " + std::get<std::string>(newest[0][0]), printed), 0) << printed;
+  EXPECT_NE(printed.find("gauges = middle (there in another form)"), std::string::npos) << printed;
 }
 
 constexpr const char* cavity = R"(
