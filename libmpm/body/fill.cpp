@@ -104,7 +104,7 @@ void refuse_overlap(const BasicState<axes>& s, std::size_t first, const Vec<axes
       for (int k = 0; k < axes; ++k)
         place += std::string(k == 0 ? "" : ", ") + "xyz"[k] + " = " +
                  std::to_string(ps.position[p][k] * 1e6) + " um";
-      throw InputError("two bodies overlap at " + place + ": take one region from the other");
+      throw InputError("two bodies overlap at " + place + ": take one from the other");
     }
     volume += filled(s, p);
   }

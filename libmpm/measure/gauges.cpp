@@ -12,6 +12,7 @@
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
+#include "libmpm/scene/region_of.hpp"
 
 namespace mpm {
 namespace {
@@ -534,7 +535,8 @@ void check_of_kind(const Scene& scene, Report& report) {
   if (kind.body) bodies.push_back(kind.body(scene, l));
   const Composition& all = scene.composition;
   const Vec<axes> margin = Vec<axes>::Constant(slack);
-  const BasicRegion<axes> box = block<axes>(all.low.head<axes>() - margin, all.high.head<axes>() + margin);
+  const BasicRegion<axes> box =
+      block<axes>(vector(all.low).head<axes>() - margin, vector(all.high).head<axes>() + margin);
   for (const ComposedBody& one : all.bodies) bodies.push_back({region_of<axes>(one.shape) & box, {}});
   const auto inside = [&](const Vec<axes>& x) {
     for (int k = 0; k < axes; ++k)

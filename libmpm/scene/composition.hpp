@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "libmpm/body/region.hpp"
 #include "libmpm/core/enumerators.hpp"
-#include "libmpm/core/tensor.hpp"
 
 namespace mpm {
 
-/// A region (body/region.hpp) as data. Of two axes z is 0 and means nothing, but for a prism.
+using Triple = std::array<double, 3>;  ///< x, y, z
+
+/// A region (body/region.hpp, made by region_of.hpp) as data. Of two axes z is 0 and means nothing, but for a
+/// prism.
 struct Shape {
   enum class Form {
     block,         ///< low corner, high corner
@@ -28,8 +29,10 @@ struct Shape {
   std::vector<double> numbers;  ///< in the order above, points as (x, y, z) [m]
   std::vector<Shape> parts;
   /// Of the shape, after it is made: x -> rotation x + shift [m].
-  Mat3 rotation = Mat3::Identity();
-  Vec3 shift = Vec3::Zero();
+  std::array<double, 9> rotation = no_rotation;  ///< row by row
+  Triple shift{};
+
+  static constexpr std::array<double, 9> no_rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 inline constexpr auto shape_forms = words<Shape::Form>({{Shape::Form::block, "block"},
                                                         {Shape::Form::ball, "ball"},
@@ -41,18 +44,14 @@ inline constexpr auto shape_forms = words<Shape::Form>({{Shape::Form::block, "bl
                                                         {Shape::Form::difference, "minus"},
                                                         {Shape::Form::intersection, "intersection"}});
 
-/// The region that it is. The numbers are as many as the form has.
-template <int axes>
-BasicRegion<axes> region_of(const Shape&);
-
 /// A region, its material, and how it moves at time 0. Bodies that touch are welded: they share the grid.
 struct ComposedBody {
   std::string name;
   Shape shape;
-  std::size_t material = 0;      ///< number in the scene, see material_of()
-  Vec3 velocity = Vec3::Zero();  ///< [m/s]
-  double spin = 0;               ///< angular velocity about the line along z through `about` [rad/s]
-  Vec3 about = Vec3::Zero();     ///< [m]
+  std::size_t material = 0;  ///< number in the scene, see material_of()
+  Triple velocity{};         ///< [m/s]
+  double spin = 0;           ///< angular velocity about the line along z through `about` [rad/s]
+  Triple about{};            ///< [m]
 };
 
 /// What is at a side of the box.
@@ -73,9 +72,9 @@ inline constexpr auto side_words = words<Side>({{Side::left, "left"},
                                                 {Side::back, "back"}});
 
 struct Composition {
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< corners of the box that the bodies lie in [m]
-  std::array<Face, 6> faces{};                   ///< in the order of Side; front and back of three axes
-  std::vector<ComposedBody> bodies;              ///< in the order of their materials
+  Triple low{}, high{};              ///< corners of the box that the bodies lie in [m]
+  std::array<Face, 6> faces{};       ///< in the order of Side; front and back of three axes
+  std::vector<ComposedBody> bodies;  ///< in the order of their materials
 
   Face face(Side side) const { return faces[static_cast<std::size_t>(side)]; }
 };

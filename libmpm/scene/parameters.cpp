@@ -181,7 +181,14 @@ const std::vector<Quantity>& quantity_table() {
   return table;
 }
 const std::vector<Choice>& choice_table() {
-  static const auto table = table_of(all_common_choices(), &Kind::choices);
+  static const auto table = [] {
+    auto all = table_of(all_common_choices(), &Kind::choices);
+    // how much of a composed scene is modelled is what its box and its faces say
+    Choice& symmetry = *std::ranges::find(all, "symmetry", &Choice::name);
+    for (const Kind* kind : kinds())
+      if (kind->is_composed) symmetry.belongs_to.bits &= ~(1u << static_cast<unsigned>(kind->kind));
+    return all;
+  }();
   return table;
 }
 
@@ -199,6 +206,11 @@ const std::vector<std::string_view>& kind_names() {
 std::span<const Quantity> quantities() { return quantity_table(); }
 std::span<const Choice> choices() { return choice_table(); }
 const Quantity* find_quantity(std::string_view name) { return find_row(quantity_table(), name); }
+/// yield_stress stands with the parameters that studies sweep.
+bool is_of_material(const Quantity& row) {
+  return row.section == Section::material || row.name == "yield_stress";
+}
+
 const Choice* find_choice(std::string_view name) {
   if (name == material_choice().name) return &material_choice();
   return find_row(choice_table(), name);

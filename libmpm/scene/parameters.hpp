@@ -60,6 +60,8 @@ std::span<const Quantity> quantities();
 std::span<const Choice> choices();
 const Quantity* find_quantity(std::string_view name);  ///< null if there is none
 const Choice* find_choice(std::string_view name);
+/// Whether a row is a constant of a material, of which a scene may have several.
+bool is_of_material(const Quantity&);
 /// The named material, as a choice: find_choice("material"). It is no row of choices(): keys, catalog and
 /// messages have its constants, and its name is no part of what a job is.
 const Choice& material_choice();

@@ -91,6 +91,13 @@ struct Measures {
   std::vector<Gauge> gauges;      ///< read every area_every
 };
 
+/// A number that a study has a name for.
+struct Label {
+  std::string name;
+  double value = 0;  ///< SI
+  std::string unit;
+};
+
 /// One fully resolved run: plain data in SI units. A length or a speed that a kind of scene does not have is
 /// 0.
 struct Scene {
@@ -112,6 +119,7 @@ struct Scene {
   Composition composition;  ///< of the kind "bodies"
   Numerics numerics;
   Measures measures;
+  std::vector<Label> labels;  ///< for people: nothing of the run reads them, and they are no part of its key
 };
 
 inline std::size_t material_count(const Scene& s) { return 1 + s.other_materials.size(); }

@@ -92,7 +92,7 @@ void check_other_materials(const Scene& s, Report& report) {
     Scene alone = s;
     alone.material = m;
     Report of_material(alone);
-    check_ranges(alone, of_material, [](const Quantity& q) { return q.section == Section::material; });
+    check_ranges(alone, of_material, is_of_material);
     check_model(alone, of_material);
     check_material(m, of_material);
     for (const Problem& problem : of_material.take())

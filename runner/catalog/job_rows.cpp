@@ -15,6 +15,10 @@ bool is_column(const std::string& result) {
   return row && row->column;
 }
 
+bool in_table(const std::string& parameter) {
+  return mpm::find_quantity(parameter) || mpm::find_choice(parameter);
+}
+
 /// ", value, error" of a result, over `jobs j`: columns of the view, or a metric.
 std::string columns_of_result(const std::string& name) {
   if (is_column(name)) {
@@ -27,9 +31,9 @@ std::string columns_of_result(const std::string& name) {
   return of_metric("value") + of_metric("error");
 }
 
-std::string columns_of_parameters(const std::vector<std::string>& parameters) {
+std::string columns_of_parameters(const std::vector<std::string>& parameters, const std::string& study = "") {
   std::string columns;
-  for (const auto& name : parameters) columns += fmt::format(", j.\"{}\"", column_of_parameter(name));
+  for (const auto& name : parameters) columns += ", " + sql_of_parameter(name, "j", study);
   return columns;
 }
 
@@ -40,7 +44,21 @@ std::int64_t count_of(const Rows& rows) { return std::get<std::int64_t>(rows.row
 std::string column_of_parameter(const std::string& parameter) {
   if (const auto* quantity = mpm::find_quantity(parameter)) return std::string(quantity->column);
   if (const auto* choice = mpm::find_choice(parameter)) return std::string(choice->column);
-  throw CatalogError("catalog: there is no parameter '" + parameter + "'");
+  return parameter;  // of a study's own
+}
+
+std::string sql_of_parameter(const std::string& parameter, const std::string& jobs,
+                             const std::string& study) {
+  const auto* row = mpm::find_quantity(parameter);
+  const bool of_all_kinds = mpm::find_choice(parameter) || (row && row->belongs_to.bits == ~0u);
+  const std::string column =
+      in_table(parameter) ? fmt::format("{}.\"{}\"", jobs, column_of_parameter(parameter)) : "NULL";
+  if (of_all_kinds) return column;
+  // a study whose kind has no such row may call its own so
+  return fmt::format(
+      "coalesce({}, (SELECT p.value FROM parameters p WHERE p.study = {} AND p.key = {}.key "
+      "AND p.name = '{}')) AS \"{}\"",
+      column, study.empty() ? jobs + ".study" : study, jobs, parameter, column_of_parameter(parameter));
 }
 
 std::vector<JobRow> job_rows(const std::filesystem::path& folder, const JobRequest& request) {
@@ -77,7 +95,8 @@ std::vector<FlagCount> flag_counts(const std::filesystem::path& results, const s
 
 std::string readable_sql(const JobRequest& request) {
   std::string columns = "key, status, outcome, flags";
-  for (const auto& name : request.parameters) columns += ", " + column_of_parameter(name);
+  for (const auto& name : request.parameters)
+    columns += ", " + (in_table(name) ? column_of_parameter(name) : sql_of_parameter(name, "jobs"));
   for (const auto& name : request.results) {
     if (!is_column(name)) continue;
     const std::string_view error = mpm::find_result(name)->error_column;
@@ -96,7 +115,7 @@ FailedJobs failed_jobs(const std::filesystem::path& results, const std::string& 
   const std::string sql = fmt::format(
       "SELECT j.key, coalesce(j.failure_kind, 'error'), coalesce(j.reason, ''){}{} ORDER BY "
       "m.position, j.cell_size_m DESC, j.key LIMIT {}",
-      columns_of_parameters(parameters), failed, most);
+      columns_of_parameters(parameters, "s.name"), failed, most);
   for (const auto& row : ask(results, sql, study).rows)
     jobs.first.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), {row.begin() + 3, row.end()}});
   if (!jobs.first.empty()) jobs.count = count_of(ask(results, "SELECT count(*)" + failed, study));

@@ -5,6 +5,7 @@
 #include "libmpm/scene/physics_version.hpp"
 #include "runner/catalog/runner_row.hpp"
 #include "runner/catalog/store_impl.hpp"
+#include "runner/plan/composition_text.hpp"
 #include "runner/plan/gauge_text.hpp"
 #include "runner/study/decimal.hpp"
 
@@ -39,10 +40,20 @@ std::int64_t Store::Impl::add_job(const Job& job) {
     bind(c.belongs_to(scene.kind) ? std::optional(std::string(c.allowed[c.get(scene)]))
                                   : std::optional<std::string>());
   bind(exact.is_null() ? std::nullopt : std::optional(exact.dump()));
+  bind(or_null(composition_text(scene)));
   insert_job.exec();
   const std::int64_t id = db->getLastInsertRowid();
   record(id, std::nullopt, JobStatus::planned, 0);
   return id;
+}
+
+/// What the study calls its own, with the values of this job.
+void Store::Impl::enter_labels(std::int64_t study, std::int64_t job, const mpm::Scene& scene) {
+  if (scene.labels.empty()) return;
+  SQLite::Statement enter(*db, "INSERT OR REPLACE INTO own_parameter VALUES (?, ?, ?, ?, ?)");
+  for (const mpm::Label& label : scene.labels) {
+    execute(enter, study, job, label.name, without_rounding(label.value), label.unit);
+  }
 }
 
 std::optional<Store::Impl::Row> Store::Impl::find(const Job& job) {
@@ -200,12 +211,17 @@ Registration Store::register_study(const std::string& name, const std::string& t
     SQLite::Statement forget(db, "DELETE FROM study_job WHERE study_id = ?");
     execute(forget, study);
   }
+  if (!keep) {
+    SQLite::Statement forget(db, "DELETE FROM own_parameter WHERE study_id = ?");
+    execute(forget, study);
+  }
   std::vector<Impl::Row> rows;
   rows.reserve(jobs.size());
   std::int64_t position = selection.members == Members::also ? next_position(db, study) : 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (same) {
       rows.push_back(members[i].second);
+      impl_->enter_labels(study, rows.back().id, jobs[i].scene);
       continue;
     }
     const auto row = impl_->find(jobs[i]);
@@ -213,6 +229,7 @@ Registration Store::register_study(const std::string& name, const std::string& t
     const auto& rung_of = jobs[i].rung_of;
     execute(impl_->insert_member, study, rows.back().id, rung_of ? *rung_of : position++, rung_of ? 1 : 0,
             or_null(jobs[i].reason));
+    impl_->enter_labels(study, rows.back().id, jobs[i].scene);
   }
 
   const auto damaged = impl_->damaged_jobs(study);
@@ -263,6 +280,7 @@ JobStatus Store::add_finer(const std::string& study, const Job& rung, bool retry
                             "UPDATE study_job SET coarse = 1 WHERE study_id = ? AND position = ?");
   execute(coarser, id, rung.rung_of);
   execute(impl_->insert_member, id, job, rung.rung_of, 0, or_null(rung.reason));
+  impl_->enter_labels(id, job, rung.scene);
   return status;
 }
 

@@ -282,6 +282,19 @@ CREATE TABLE history_sample (
 ) STRICT, WITHOUT ROWID;
 )sql";
 
+// Scenes that are composed of bodies, and what studies call parameters of their own.
+constexpr std::string_view version_11 = R"sql(
+ALTER TABLE job ADD COLUMN composition TEXT;  -- JSON object; null: its kind has none
+CREATE TABLE own_parameter (
+  study_id INTEGER NOT NULL REFERENCES study (id),
+  job_id   INTEGER NOT NULL REFERENCES job (id),
+  name     TEXT NOT NULL,
+  value    REAL NOT NULL,
+  unit     TEXT NOT NULL,
+  PRIMARY KEY (study_id, job_id, name)
+) STRICT, WITHOUT ROWID;
+)sql";
+
 std::vector<ParameterColumn> parameter_columns() {
   std::vector<ParameterColumn> columns;
   for (const auto& quantity : mpm::quantities()) columns.push_back({std::string(quantity.column), "REAL"});
@@ -301,7 +314,8 @@ CatalogSchema current_catalog_schema() {
            {7, version_7},
            {8, version_8},
            {9, version_9},
-           {10, version_10}},
+           {10, version_10},
+           {11, version_11}},
           parameter_columns()};
 }
 

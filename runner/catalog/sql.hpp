@@ -18,5 +18,9 @@ Rows ask(const std::filesystem::path& results, const std::string& sql, const Par
 /// The column of the view `jobs` that a parameter of a scene has: "impact_speed" -> "impact_speed_m_s".
 /// Throws CatalogError for a name that is no parameter.
 std::string column_of_parameter(const std::string& parameter);
+/// The value of a parameter as a column of an answer over `jobs`: of the table, or of the study's own, whose
+/// name is `study` ("": the column of `jobs`).
+std::string sql_of_parameter(const std::string& parameter, const std::string& jobs,
+                             const std::string& study = "");
 
 }  // namespace mpmstudy

@@ -24,7 +24,7 @@ inline std::string insert_job_sql() {
   std::string marks = "?, ?, ?, ?, ?, ?, ?, ?, ?, 'planned'";
   for (const auto& q : mpm::quantities()) names += ", \"" + std::string(q.column) + "\"", marks += ", ?";
   for (const auto& c : mpm::choices()) names += ", \"" + std::string(c.column) + "\"", marks += ", ?";
-  return "INSERT INTO job (" + names + ", exact) VALUES (" + marks + ", ?)";
+  return "INSERT INTO job (" + names + ", exact, composition) VALUES (" + marks + ", ?, ?)";
 }
 
 struct Store::Impl {
@@ -137,6 +137,7 @@ struct Store::Impl {
   /// The row of a job. One that was filed under the job's former key gets the new one.
   std::optional<Row> find(const Job&);
   std::int64_t add_job(const Job&);
+  void enter_labels(std::int64_t study, std::int64_t job, const mpm::Scene&);
   /// Runners with running jobs that are gone: id -> who.
   std::map<std::int64_t, std::string> gone_runners();
   /// Plans again what processes that are gone have left running. Gives back the ids of these jobs.

@@ -8,6 +8,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/catalog_error.hpp"
 #include "runner/catalog/connection.hpp"
+#include "runner/plan/composition_text.hpp"
 #include "runner/plan/gauge_text.hpp"
 
 namespace mpmstudy {
@@ -45,7 +46,7 @@ std::string select_sql() {
   std::string sql =
       "SELECT j.key, j.scene, j.material, j.snapshot_times, j.status, j.reason, j.failure_kind, j.attempt, "
       "j.crashes, j.steps, j.physics_version, j.id, j.predicted_particles, j.predicted_steps, j.predicted_s, "
-      "j.exact, j.gauges";
+      "j.exact, j.gauges, j.composition";
   for (const auto& q : mpm::quantities()) sql += ", j.\"" + std::string(q.column) + "\"";
   for (const auto& c : mpm::choices()) sql += ", j.\"" + std::string(c.column) + "\"";
   return sql +
@@ -61,7 +62,7 @@ auto reading(const std::filesystem::path& results, Read read) {
   } catch (const SQLite::Exception& error) {
     throw CatalogError(catalog_path(results).string() + ": cannot be read (" + error.what() +
                        "); `mpmstudy run STUDY` brings a catalog of an older program up to date");
-  } catch (const std::invalid_argument& error) {  // of gauges
+  } catch (const std::invalid_argument& error) {  // of gauges or bodies
     throw CatalogError(catalog_path(results).string() + ": is damaged: " + error.what());
   } catch (const nlohmann::json::exception& error) {
     throw CatalogError(catalog_path(results).string() + ": is damaged (" + error.what() + ")");
@@ -80,9 +81,10 @@ std::vector<StoredJob> read_jobs(const std::filesystem::path& results, const Job
     while (rows.executeStep()) {
       StoredJob stored;
       stored.job.key = rows.getColumn(0).getString();
-      stored.job.scene = scene_from(rows, 15, 17);
+      stored.job.scene = scene_from(rows, 15, 18);
       if (!rows.isColumnNull(16))
         stored.job.scene.measures.gauges = gauges_from_text(rows.getColumn(16).getString());
+      if (!rows.isColumnNull(17)) set_composition(stored.job.scene, rows.getColumn(17).getString());
       stored.status = job_status_from(rows.getColumn(4).getString());
       stored.reason = rows.getColumn(5).getString();
       stored.failure_kind = rows.getColumn(6).getString();

@@ -25,7 +25,7 @@ StudyTable table_of(Rows rows) {
 
 std::string columns_of(const std::vector<std::string>& parameters) {
   std::string columns;
-  for (const std::string& name : parameters) columns += column_of_parameter(name) + ", ";
+  for (const std::string& name : parameters) columns += sql_of_parameter(name, "j") + ", ";
   return columns;
 }
 
@@ -37,7 +37,7 @@ StudyTable table_of_jobs(const std::filesystem::path& results, const std::string
       results,
       "SELECT " + columns_of(parameters) +
           "status, outcome, collapsibility, collapsibility_error, energy_error, particles, steps, cpu_s, "
-          "flags, substr(key, 1, 12) AS job, key AS whole_key FROM jobs WHERE study = ?1 ORDER BY position",
+          "flags, substr(key, 1, 12) AS job, key AS whole_key FROM jobs j WHERE study = ?1 ORDER BY position",
       study));
 }
 

@@ -81,6 +81,10 @@ DROP VIEW IF EXISTS decisions;
 CREATE VIEW decisions AS SELECT s.name AS study, j.key AS key, m.position AS position, m.reason AS reason
 FROM study_job m JOIN study s ON s.id = m.study_id JOIN job j ON j.id = m.job_id;
 
+DROP VIEW IF EXISTS parameters;
+CREATE VIEW parameters AS SELECT s.name AS study, j.key AS key, p.name AS name, p.value AS value, p.unit AS unit
+FROM own_parameter p JOIN study s ON s.id = p.study_id JOIN job j ON j.id = p.job_id;
+
 DROP VIEW IF EXISTS studies;
 CREATE VIEW studies AS SELECT name, title, updated_at, path, overrides, cells FROM study;
 

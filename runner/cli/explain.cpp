@@ -69,7 +69,7 @@ std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
 /// What a named material has a value for.
 bool of_material(std::string_view name) {
   if (const auto* row = mpm::find_quantity(name))
-    return row->section == mpm::Section::material || name == "yield_stress";
+    return mpm::is_of_material(*row);
   const auto* row = mpm::find_choice(name);
   return row && row->section == mpm::Section::material;
 }

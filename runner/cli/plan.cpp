@@ -22,6 +22,7 @@
 #include "runner/plan/warnings.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/ladder.hpp"
+#include "runner/study/parameter_value.hpp"
 #include "runner/study/readable.hpp"
 
 namespace mpmstudy {
@@ -31,12 +32,6 @@ using Json = nlohmann::ordered_json;
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// What a job has for a parameter of the table, for people.
-std::string readable_parameter(std::string_view name, const mpm::Scene& scene) {
-  if (const mpm::Quantity* row = mpm::find_quantity(name)) return readable(*row, scene);
-  return readable(*mpm::find_choice(name), scene);
 }
 
 std::string duration(double seconds) {
@@ -200,7 +195,7 @@ void print_text(const Study& study, const Plan& plan, int workers, const std::st
   rows[0].insert(rows[0].end(), {"particles", "steps", "predicted"});
   for (const Job& job : plan.jobs) {
     std::vector<std::string> row = {short_key(job.key)};
-    for (const std::string& name : study.swept) row.push_back(readable_parameter(name, job.scene));
+    for (const std::string& name : study.swept) row.push_back(readable_parameter(job.scene, name));
     row.push_back(std::to_string(job.estimate.particles));
     row.push_back(std::to_string(job.estimate.steps));
     row.push_back(duration(job.predicted_seconds));

@@ -17,6 +17,7 @@
 #include "runner/finish/labels.hpp"
 #include "runner/finish/study_results.hpp"
 #include "runner/status/label.hpp"
+#include "runner/study/parameter_value.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -112,10 +113,10 @@ std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<st
   for (std::size_t at = 0; at < study.swept.size(); ++at) {
     const std::string& name = study.swept[at];
     TextColumn column{name, "", {}, false};
-    if (const auto* quantity = mpm::find_quantity(name)) {
+    if (const std::string unit = quantity_unit(study, name); !unit.empty()) {
       std::vector<std::optional<double>> values;
       for (const JobRow& row : rows) values.push_back(number_of(row.parameters[at]));
-      fill(column, values, study, name, quantity->unit);
+      fill(column, values, study, name, unit);
     } else {
       column.left = true;
       for (const JobRow& row : rows) column.cells.push_back(text_of(row.parameters[at]));
@@ -202,7 +203,7 @@ std::string fits_text(const Study& study, const std::filesystem::path& results) 
   const StudyResults read = read_results(study, results);
   std::string text;
   for (const FitRequest& request : study.fits) {
-    const auto x = label_of(request.x, mpm::find_quantity(request.x)->unit);
+    const auto x = label_of(request.x, quantity_unit(study, request.x));
     const auto y = label_of(request.y, unit_of(read, request.y));
     for (const Group& group : group_jobs(study, read, curve_of(study, request.x, request.y))) {
       const Column c = column_of(read, group, request.x, request.y);

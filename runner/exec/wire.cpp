@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "libmpm/scene/parameters.hpp"
+#include "runner/plan/composition_text.hpp"
 #include "runner/plan/gauge_text.hpp"
 
 namespace mpmstudy {
@@ -118,10 +119,18 @@ void gauges(Reader& a, std::vector<mpm::Gauge>& values) {
   values = gauges_from_text(text);
 }
 
+void composition(Writer& a, const mpm::Scene& scene) { a(composition_text(scene)); }
+void composition(Reader& a, mpm::Scene& scene) {
+  std::string text;
+  a(text);
+  set_composition(scene, text);
+}
+
 void whole_order(auto& a, auto& order) {
   a(order.key), a(order.limits.seconds), a(order.limits.memory), a(order.checkpoint_s);
   a(order.scene.kind), a(order.scene.material.name);
   parameters(a, order.scene);
+  composition(a, order.scene);
   numbers(a, order.scene.measures.snapshots);
   gauges(a, order.scene.measures.gauges);
 }

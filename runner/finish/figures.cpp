@@ -11,11 +11,13 @@
 #include "analysis/fonts.hpp"
 #include "analysis/plot.hpp"
 #include "libmpm/io/vtkhdf.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "runner/finish/calibration.hpp"
 #include "runner/finish/fields.hpp"
 #include "runner/finish/fits.hpp"
 #include "runner/finish/labels.hpp"
+#include "runner/study/parameter_value.hpp"
 #include "runner/study/searched.hpp"
 
 namespace mpmstudy {
@@ -117,7 +119,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   plot.kind = analysis::Plot::Kind::xy;
   plot.title = request.title;
   plot.footer = footer_of(study, results);
-  plot.x = label_of(request.x, mpm::find_quantity(request.x)->unit);
+  plot.x = label_of(request.x, quantity_unit(study, request.x));
   plot.y = results.critical && critical_result(request.y) ? critical_label(*results.critical)
                                                           : label_of(request.y, unit_of(results, request.y));
   const auto groups = group_jobs(study, results, curve_of(study, request.x, request.y));
@@ -165,7 +167,7 @@ std::vector<fs::path> draw_fields(const Study& study, const StudyResults& result
     plot.title = groups[g].label.empty() ? request.title : request.title + ", " + groups[g].label;
     plot.footer = footer_of(study, results);
     plot.value = label_of(request.y);
-    plot.mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
+    plot.mirrored = mpm::kind_of(job.scene).is_half(job.scene);
     plot.panels = panels_of(snapshots_of(results, job), request.y);
     if (plot.panels.empty()) continue;
     const std::string suffix = groups.size() == 1 ? "" : fmt::format("-{}", g + 1);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "libmpm/scene/parameters.hpp"
+#include "runner/study/parameter_value.hpp"
 #include "runner/study/searched.hpp"
 
 namespace mpmstudy {
@@ -31,11 +32,10 @@ Column column_of(const StudyResults& results, const Group& group, const std::str
                  const std::string& y) {
   Column column;
   bool errors = false;
-  const mpm::Quantity* quantity = mpm::find_quantity(x);
   for (const JobResults* job : group.jobs) {
     const auto measured = result_of(results, *job, y);
     if (!measured) continue;
-    column.x.push_back(quantity->get(job->scene));
+    column.x.push_back(quantity_value(job->scene, x).value_or(0));
     column.y.push_back(measured->value);
     column.y_error.push_back(measured->error.value_or(0));
     errors |= measured->error.value_or(0) > 0;
@@ -55,7 +55,7 @@ Fits fit_study(const Study& study, const StudyResults& results) {
   Fits fits;
   for (const FitRequest& request : study.fits) {
     const std::string y_unit = unit_of(results, request.y);
-    const std::string_view x_unit = mpm::find_quantity(request.x)->unit;
+    const std::string x_unit = quantity_unit(study, request.x);
     for (const Group& group : group_jobs(study, results, curve_of(study, request.x, request.y))) {
       const Column c = column_of(results, group, request.x, request.y);
       if (c.x.empty() && stands_elsewhere(group, request.y)) continue;

@@ -11,6 +11,7 @@
 #include "analysis/page.hpp"
 #include "analysis/raster.hpp"
 #include "analysis/units.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/io/vtkhdf.hpp"
 #include "runner/catalog/study_tables.hpp"
 #include "runner/exec/git_revision.hpp"
@@ -74,7 +75,7 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
   }
   if (frames.size() < 3) return {};
   animation.captions = analysis::value_labels(label_of("time"), times);
-  const bool mirrored = job.scene.numerics.symmetry == mpm::Symmetry::half;
+  const bool mirrored = mpm::kind_of(job.scene).is_half(job.scene);
   std::vector<const analysis::ParticleSquares*> all;
   for (const auto& frame : frames) all.push_back(&frame);
   const analysis::Window window = analysis::window_of(all, mirrored);

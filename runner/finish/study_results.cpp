@@ -18,6 +18,7 @@
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/decimal.hpp"
+#include "runner/study/parameter_value.hpp"
 #include "runner/study/searched.hpp"
 
 namespace mpmstudy {
@@ -36,7 +37,7 @@ struct SweptValues {
   std::string column;
 };
 
-SweptValues swept_values(const std::string& name, const std::vector<JobResults>& jobs) {
+SweptValues swept_values(const Study& study, const std::string& name, const std::vector<JobResults>& jobs) {
   SweptValues swept;
   if (const mpm::Choice* c = mpm::find_choice(name)) {
     swept.column = c->column;
@@ -48,10 +49,11 @@ SweptValues swept_values(const std::string& name, const std::vector<JobResults>&
     return swept;
   }
   const mpm::Quantity* q = mpm::find_quantity(name);
-  swept.column = q->column;
+  swept.column = q ? q->column : name;
+  const std::string unit = quantity_unit(study, name);
   std::vector<double> distinct, values;
   for (const JobResults& job : jobs) {
-    const double value = q->get(job.scene);
+    const double value = quantity_value(job.scene, name).value_or(0);
     const auto same =
         std::ranges::find_if(distinct, [&](double other) { return differs_by_rounding(value, other); });
     swept.which.push_back(static_cast<std::size_t>(same - distinct.begin()));
@@ -59,7 +61,7 @@ SweptValues swept_values(const std::string& name, const std::vector<JobResults>&
     values.push_back(distinct[swept.which.back()]);
     swept.json.push_back(without_rounding(values.back()));
   }
-  swept.labels = analysis::value_labels(label_of(name, q->unit), values);
+  swept.labels = analysis::value_labels(label_of(name, unit), values);
   return swept;
 }
 
@@ -213,7 +215,8 @@ std::vector<Group> group_jobs(const Study& study, const StudyResults& results,
                               const std::vector<std::string>& within) {
   std::vector<SweptValues> swept;
   for (const std::string& name : study.swept)
-    if (std::ranges::find(within, name) == within.end()) swept.push_back(swept_values(name, results.done));
+    if (std::ranges::find(within, name) == within.end())
+      swept.push_back(swept_values(study, name, results.done));
   std::vector<Group> groups;
   std::map<std::vector<std::size_t>, std::size_t> known;  // values -> group
   for (std::size_t i = 0; i < results.done.size(); ++i) {
@@ -255,7 +258,7 @@ std::vector<std::string> curve_of(const Study& study, const std::string& x, cons
   std::set<double> places;
   std::set<std::string> jobs;  // a value that stands twice in a list makes one job
   for (const mpm::Scene& scene : study.scenes) {
-    places.insert(mpm::find_quantity(x)->get(scene));
+    places.insert(quantity_value(scene, x).value_or(0));
     jobs.insert(job_key(scene));
   }
   if (places.size() == jobs.size()) return study.swept;

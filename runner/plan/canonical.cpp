@@ -7,6 +7,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "libmpm/scene/physics_version.hpp"
 #include "libmpm/simulation.hpp"
+#include "runner/plan/composition_text.hpp"
 #include "runner/plan/plan.hpp"
 
 namespace mpmstudy {
@@ -63,6 +64,9 @@ std::string text_of(const mpm::Scene& scene, bool with_inert, std::span<const mp
     if (!row.belongs_to(scene.kind) || word == row.implied) continue;
     text.append(row.name).append("=").append(word).append("\n");
   }
+  if (const std::string composition = with_inert ? composition_text(scene) : composition_key(scene);
+      !composition.empty())
+    text.append("composition=").append(composition).append("\n");
   text.append("snapshots=");
   for (const double time : scene.measures.snapshots) {
     append_number(text, time);

@@ -11,6 +11,7 @@
 #include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "libmpm/scene/resolution.hpp"
+#include "runner/study/parameter_value.hpp"
 #include "runner/study/readable.hpp"
 
 namespace mpmstudy {
@@ -92,7 +93,8 @@ class Warnings {
       if (is_new) continue;
       std::string names;
       for (const std::string& name : study_.swept)
-        if (value(name, scene) != value(name, *other->second)) names += (names.empty() ? "" : ", ") + name;
+        if (parameter_number(scene, name) != parameter_number(*other->second, name))
+          names += (names.empty() ? "" : ", ") + name;
       ++same[names];
     }
     for (const auto& [names, count] : same) {
@@ -192,11 +194,6 @@ class Warnings {
   bool is_given(std::string_view name) const {
     return std::ranges::find(study_.given, name) != study_.given.end() ||
            (study_.search && study_.search->critical == name);
-  }
-
-  static double value(const std::string& name, const mpm::Scene& scene) {
-    if (const mpm::Quantity* row = mpm::find_quantity(name)) return row->get(scene);
-    return static_cast<double>(mpm::find_choice(name)->get(scene));
   }
 
   const Study& study_;

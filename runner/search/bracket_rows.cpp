@@ -5,6 +5,7 @@
 
 #include "runner/search/critical_value.hpp"
 #include "runner/study/decimal.hpp"
+#include "runner/study/parameter_value.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -14,8 +15,9 @@ std::string swept_values(const Study& study, const mpm::Scene& scene) {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
   for (const std::string& name : study.swept) {
     if (name == "cell_size") continue;  // has a column of its own
-    if (const mpm::Quantity* q = mpm::find_quantity(name))
-      values[std::string(q->column)] = without_rounding(q->get(scene));
+    const mpm::Quantity* q = mpm::find_quantity(name);
+    if (const auto value = quantity_value(scene, name))
+      values[q ? std::string(q->column) : name] = without_rounding(*value);
     else if (const mpm::Choice* c = mpm::find_choice(name))
       values[std::string(c->column)] = c->allowed[c->get(scene)];
   }

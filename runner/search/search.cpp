@@ -9,6 +9,7 @@
 
 #include "libmpm/scene/parameters.hpp"
 #include "runner/plan/plan.hpp"
+#include "runner/study/parameter_value.hpp"
 #include "runner/study/readable.hpp"
 
 namespace mpmstudy {
@@ -23,7 +24,9 @@ constexpr int most_values = 2;
 const mpm::Quantity* axis_of(const Study& study) {
   for (const std::string& name : study.swept)
     if (name != "cell_size")
-      if (const mpm::Quantity* q = mpm::find_quantity(name)) return q;
+      if (const mpm::Quantity* q = mpm::find_quantity(name);
+          q && std::ranges::find(study.own, name, &OwnParameter::name) == study.own.end())
+        return q;
   return nullptr;
 }
 
@@ -32,10 +35,7 @@ std::vector<double> family_of(const Study& study, const mpm::Scene& scene, const
   std::vector<double> values;
   for (const std::string& name : study.swept) {
     if (name == "cell_size" || (axis && name == axis->name)) continue;
-    if (const mpm::Quantity* q = mpm::find_quantity(name))
-      values.push_back(q->get(scene));
-    else if (const mpm::Choice* c = mpm::find_choice(name))
-      values.push_back(static_cast<double>(c->get(scene)));
+    values.push_back(parameter_number(scene, name));
   }
   return values;
 }

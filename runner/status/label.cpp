@@ -5,20 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libmpm/scene/parameters.hpp"
-#include "runner/study/readable.hpp"
+#include "runner/study/parameter_value.hpp"
 
 namespace mpmstudy {
 std::string label_of(const mpm::Scene& scene, std::span<const std::string> swept) {
   std::string text;
   for (const auto& name : swept) {
-    std::string value;
-    if (const auto* quantity = mpm::find_quantity(name))
-      value = readable(*quantity, scene);
-    else if (const auto* choice = mpm::find_choice(name))
-      value = readable(*choice, scene);
-    else
-      continue;
+    const std::string value = readable_parameter(scene, name);
+    if (value.empty()) continue;
     text += (text.empty() ? "" : ", ") + name + " = " + value;
   }
   return text;

@@ -201,6 +201,14 @@ std::optional<Axis> read_axis(const mpm::Quantity& row, const Entry& entry, cons
   return good ? std::optional(axis) : std::nullopt;
 }
 
+Axis expression_axis(const mpm::Quantity& row, const Entry& entry, Expression expression) {
+  Axis axis = begin_axis(entry);
+  axis.quantity = &row;
+  axis.points = {{0, entry.value.place}};
+  axis.expression = std::move(expression);
+  return axis;
+}
+
 std::optional<Axis> read_axis(const mpm::Choice& row, const Entry& entry, Mistakes& mistakes) {
   Axis axis = begin_axis(entry);
   axis.choice = &row;

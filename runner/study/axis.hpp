@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libmpm/scene/parameters.hpp"
+#include "runner/study/expression.hpp"
 #include "runner/study/mistakes.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/units.hpp"
@@ -38,7 +39,9 @@ struct Axis {
   Place value_place;    ///< of the value
   std::string written;  ///< the value, as in the file
   bool swept = false;
-  std::vector<Point> points;  ///< empty if range is set
+  bool own = false;                      ///< a parameter of the study's own: its quantity is in no table
+  std::vector<Point> points;             ///< empty if range is set
+  std::optional<Expression> expression;  ///< in place of the value of its only point
   std::optional<SweepRange> range;
 
   std::string_view name() const { return quantity ? quantity->name : choice->name; }
@@ -50,5 +53,7 @@ struct Axis {
 /// Reads the value of a row of the parameter table. Empty after adding mistakes.
 std::optional<Axis> read_axis(const mpm::Quantity&, const Entry&, const Units&, Mistakes&);
 std::optional<Axis> read_axis(const mpm::Choice&, const Entry&, Mistakes&);
+/// One whose only value is an expression.
+Axis expression_axis(const mpm::Quantity&, const Entry&, Expression);
 
 }  // namespace mpmstudy

@@ -21,6 +21,11 @@ void Mistakes::add(const Place& place, std::string_view key, const Refusal& refu
                   refusal.allowed);
 }
 
+void Mistakes::add(const Mistakes& other) {
+  for (const Line& line : other.lines_)
+    if (std::ranges::find(lines_, line.text, &Line::text) == lines_.end()) lines_.push_back(line);
+}
+
 void Mistakes::keep(const Place& place, std::string text) {
   text = printable(place.text() + ": " + text);
   const auto same = [&](const Line& line) { return line.text == text; };

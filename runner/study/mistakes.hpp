@@ -24,6 +24,9 @@ class Mistakes {
   /// About a key as a whole: "place: key: wrong; allowed".
   void add(const Place&, std::string_view key, const Refusal&);
 
+  /// All that is in another list.
+  void add(const Mistakes&);
+
   bool empty() const { return lines_.empty(); }
   /// Throws StudyError with a line each, in the order of the file; does nothing if there is none.
   void throw_if_any() const;

@@ -29,6 +29,12 @@ std::pair<std::optional<std::string_view>, std::string_view> locate(std::string_
   return {std::nullopt, key};
 }
 
+/// Whether the file has a parameter of that name, be it in no table of ours.
+bool is_own(const Table& document, std::string_view name) {
+  const Entry* parameters = document.find("parameters");
+  return parameters && parameters->value.table() && parameters->value.table()->find(name);
+}
+
 /// name and title are text: what the shell left of name="2026" is no number.
 Value value_of(std::string_view key, std::string_view name, std::string_view text) {
   if ((name == "name" || name == "title") && !text.starts_with('"'))
@@ -52,7 +58,8 @@ Refusal unknown(std::string_view key) {
 void apply_overrides(Table& document, const std::vector<std::pair<std::string, std::string>>& set,
                      Mistakes& mistakes) {
   for (const auto& [key, text] : set) {
-    const auto [table_name, name] = locate(key);
+    auto [table_name, name] = locate(key);
+    if (!table_name && is_own(document, key)) table_name = "parameters";
     const Value value = value_of(key, name, text);
     if (!table_name) {
       mistakes.add(value.place, key, text, unknown(key));

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libmpm/scene/kinds/kind.hpp"
 #include "runner/study/combine.hpp"
 #include "runner/study/decimal.hpp"
 #include "runner/study/figure_files.hpp"
 #include "runner/study/gauges.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/overrides.hpp"
+#include "runner/study/own_parameters.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/requests.hpp"
 #include "runner/study/scenes.hpp"
@@ -46,6 +48,7 @@ class Reader {
     mistakes_.throw_if_any();
     request_.units = study_.units;
     request_.cells = study_.ladder.finds_cell ? 1 : options_.cells;
+    if (bodies_) request_.bodies = &*bodies_;
     study_.scenes = build_scenes(request_, Combinations(*sweep, swept, *jobs), mistakes_);
     mistakes_.throw_if_any();
     if (study_.search && study_.ladder.cells > 1) sweep_ladder();
@@ -95,14 +98,25 @@ class Reader {
                       unknown_word(*name, "scene", mpm::scene_kind_names()));
     }
     if (kind_) request_.kind = study_.kind = *kind_;
+    own_.emplace(document_, kind_, units_);
     check_keys(document_, "", kind_, mistakes_);
     for (const Entry& entry : document_.entries) read_row("", entry);
+    if (kind_ && mpm::kind_of(*kind_).is_composed) {
+      bodies_.emplace(document_, units_, own_->known(mistakes_));
+      for (std::string& line : bodies_->warnings()) study_.warnings.push_back(std::move(line));
+    }
   }
 
   void read_material() {
     const Table* parameters = table("parameters");
     const Entry* entry = parameters ? parameters->find("material") : nullptr;
-    if (entry)
+    if (bodies_ && !bodies_->uses_study_material()) {
+      const Entry* of_study = document_.find(table_name(mpm::Section::material));
+      if (!entry) entry = of_study;
+      if (entry)
+        mistakes_.add(entry->place, "material",
+                      {"no body is of it", "remove it, or leave material out of a [[body]]"});
+    } else if (entry)
       study_.material_place = entry->value.place.text();
     else
       mistakes_.add(place_of_table("parameters"), "material",
@@ -122,17 +136,55 @@ class Reader {
                       {"not a table", "write [" + entry.key + "]"});
         continue;
       }
-      check_keys(*entries, entry.key, kind_, mistakes_);
+      check_keys(entry.key == "parameters" ? without_own(*entries) : *entries, entry.key, kind_, mistakes_);
       for (const Entry& one : entries->entries) read_row(entry.key, one);
     }
+    for (const Axis& axis : request_.axes) refuse_cycle(axis, {});
+  }
+
+  /// Of rows that are expressions of each other. Those of the study's own are found when their units are.
+  void refuse_cycle(const Axis& axis, std::vector<std::string> through) {
+    if (!axis.expression) return;
+    through.emplace_back(axis.name());
+    for (const std::string& name : axis.expression->names()) {
+      const auto next = std::ranges::find(request_.axes, name, &Axis::name);
+      if (next == request_.axes.end()) continue;
+      if (std::ranges::find(through, name) == through.end()) {
+        refuse_cycle(*next, through);
+      } else if (name == through.front()) {
+        std::string cycle;
+        for (const std::string& one : through) cycle += one + " -> ";
+        mistakes_.add(axis.value_place, axis.name(), axis.written,
+                      {"is made of itself: " + cycle + name, "allowed: expressions without a cycle"});
+      }
+    }
+  }
+
+  Table without_own(Table table) const {
+    std::erase_if(table.entries, [&](const Entry& entry) { return own_->has(entry.key); });
+    return table;
+  }
+
+  /// The value of a row: an expression, or a number, or a sweep.
+  std::optional<Axis> read_value(const mpm::Quantity& row, const Entry& entry) {
+    const Expected expected{row.unit, row.range};
+    if (!own_->is_expression(entry.value, expected)) return read_axis(row, entry, units_, mistakes_);
+    auto expression =
+        read_expression(entry.key, entry.value, expected, units_, own_->known(mistakes_), mistakes_);
+    if (!expression) return std::nullopt;
+    return expression_axis(row, entry, std::move(*expression));
   }
 
   void read_row(std::string_view table, const Entry& entry) {
     std::optional<Axis> axis;
-    if (const mpm::Quantity* row = mpm::find_quantity(entry.key); row && table_name(row->section) == table) {
+    if (table == "parameters" && own_->has(entry.key)) {
+      if (const mpm::Quantity* own = own_->row(entry, mistakes_)) axis = read_value(*own, entry);
+      if (axis) axis->own = true;
+    } else if (const mpm::Quantity* row = mpm::find_quantity(entry.key);
+               row && table_name(row->section) == table) {
       said_.push_back(entry.key);
       if (kind_ && !row->belongs_to(*kind_)) return;  // said by check_keys
-      axis = read_axis(*row, entry, units_, mistakes_);
+      axis = read_value(*row, entry);
     } else if (const mpm::Choice* choice = mpm::find_choice(entry.key);
                choice && table_name(choice->section) == table) {
       said_.push_back(entry.key);
@@ -143,8 +195,16 @@ class Reader {
     const bool scaled = entry.key == "cell_size" && options_.cells != 1;
     if (scaled) scale_cells(*axis);
     if (!axis->swept && entry.place.line > 0) fixed_.push_back(entry.key);
+    if (axis->own) {
+      if (auto unit = written_unit(entry.value, axis->quantity->unit, units_))
+        study_.units[entry.key] = std::move(*unit);
+      study_.own.push_back({entry.key, std::string(axis->quantity->unit)});
+      said_.push_back(entry.key);
+      request_.axes.push_back(std::move(*axis));
+      return;
+    }
     study_.given.push_back(entry.key);
-    if (axis->quantity) remember_unit(entry.key, entry.value);
+    if (axis->quantity && !axis->expression) remember_unit(entry.key, entry.value);
     study_.places.push_back(entry.value.place.text() + (scaled ? ", times --cells" : ""));
     request_.axes.push_back(std::move(*axis));
   }
@@ -231,6 +291,7 @@ class Reader {
                            !request_.snapshots.empty(),
                            study_.search ? study_.search->critical : ""};
     for (const mpm::Gauge& gauge : study_.gauges) context.gauges.push_back(gauge.name);
+    context.own = study_.own;
     context.gauge_results = metrics_of(study_.gauges);
     study_.fits = read_fits(document_, context, mistakes_);
     study_.figures = read_figures(document_, context, mistakes_);
@@ -349,6 +410,8 @@ class Reader {
   Mistakes mistakes_;
   Study study_;
   SceneRequest request_;
+  std::optional<OwnParameters> own_;
+  std::optional<BodiesReader> bodies_;
   std::optional<mpm::SceneKind> kind_;
   std::vector<std::string> said_;   ///< rows of the parameter table that the file has, readable or not
   std::vector<std::string> fixed_;  ///< rows that the file itself gives one value

@@ -137,6 +137,7 @@ std::string read_x(const Entry& parent, const Table& table, const RequestContext
   std::vector<std::string_view> names;
   for (const mpm::Quantity& row : mpm::quantities())
     if (!context.kind || row.belongs_to(*context.kind)) names.push_back(row.name);
+  for (const OwnParameter& own : context.own) names.push_back(own.name);
   const Value& value = table.find("x")->value;
   if (std::find(names.begin(), names.end(), *name) == names.end())
     mistakes.add("x", value, unknown_word(*name, "quantity", names));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 
 #include "libmpm/scene/effect.hpp"
 #include "runner/study/decimal.hpp"
@@ -43,6 +45,8 @@ std::vector<Assignment> assignments(const SceneRequest& request) {
     for (const Assignment& one : unordered)
       if (one.axis->name() == name) ordered.push_back(one);
   };
+  for (const Assignment& one : unordered)
+    if (one.axis->own) ordered.push_back(one);
   take(mpm::material_choice().name);
   take(space_name);
   for (const mpm::Quantity& row : mpm::quantities()) take(row.name);
@@ -88,8 +92,8 @@ class Reporter {
       bad = true;
       if (add_to_gauge(problem)) continue;
       const Assignment* source = source_of(problem.parameter);
-      const bool as_written =
-          source && source->column == not_swept && source->axis->name() == problem.parameter;
+      const bool as_written = source && source->column == not_swept &&
+                              source->axis->name() == problem.parameter && !source->axis->expression;
       const bool scaled = source && problem.parameter == "cell_size" && request_.cells != 1;
       const std::string value = in_file_units(problem.value, problem.parameter);
       std::string written = as_written ? source->axis->written : value;
@@ -98,8 +102,9 @@ class Reporter {
         if (!as_written) written = of_the_file(scene.numerics.cell_size);
         wrong += fmt::format(": times --cells {} it is {}", request_.cells, value);
       }
-      mistakes_.add(source ? source->point(combinations_, job).place : request_.place, problem.parameter,
-                    written, {wrong, "allowed: " + in_file_units(problem.allowed, problem.parameter)});
+      mistakes_.add(source ? source->point(combinations_, job).place : other_place(problem.parameter),
+                    problem.parameter, written,
+                    {wrong, "allowed: " + in_file_units(problem.allowed, problem.parameter)});
     }
     return bad || check_ladder(scene);
   }
@@ -137,6 +142,11 @@ class Reporter {
     return !wrong.empty();
   }
 
+  const Place& other_place(const std::string& parameter) const {
+    const Place* place = request_.bodies ? request_.bodies->place_of(parameter) : nullptr;
+    return place ? *place : request_.place;
+  }
+
   std::string in_file_units(const std::string& message, const std::string& parameter) const {
     return in_written_units(message, parameter, request_.units);
   }
@@ -157,6 +167,41 @@ class Reporter {
   const std::vector<Assignment>& assignments_;
   const Combinations& combinations_;
   Mistakes& mistakes_;
+};
+
+/// Whether the value of an expression is in the range of its row; else adds a mistake.
+bool fits(const Assignment& one, double si, Mistakes& mistakes) {
+  const mpm::Quantity& row = *one.axis->quantity;
+  const Number number = in_range(si, {row.unit, row.range});
+  const auto* refusal = std::get_if<Refusal>(&number);
+  if (refusal)
+    mistakes.add(one.axis->value_place, row.name, one.axis->written,
+                 {fmt::format("makes {:.6g} {}, {}", si, row.unit, refusal->wrong), refusal->allowed});
+  return !refusal;
+}
+
+/// The values of parameters in one job.
+class JobValues {
+ public:
+  JobValues(const std::vector<Assignment>& assignments, const Combinations& combinations)
+      : assignments_(assignments), combinations_(combinations) {}
+
+  void of_job(std::uint64_t job) { job_ = job; }
+  double operator()(const Assignment& one) const {
+    return one.axis->expression ? one.axis->expression->value(std::cref(*this))
+                                : one.point(combinations_, job_).value;
+  }
+  /// Not a number where it has none: expressions have names that the file gives, and choices have no value.
+  double operator()(const std::string& name) const {
+    for (const Assignment& one : assignments_)
+      if (one.axis->quantity && one.axis->name() == name) return (*this)(one);
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  const std::vector<Assignment>& assignments_;
+  const Combinations& combinations_;
+  std::uint64_t job_ = 0;
 };
 
 }  // namespace
@@ -192,15 +237,27 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
   const bool names_kernel =
       std::ranges::any_of(ordered, [](const Assignment& one) { return one.axis->name() == "kernel"; });
   int bad_jobs = 0;
+  JobValues value(ordered, combinations);
   for (std::uint64_t job = 0; job < combinations.jobs() && bad_jobs < most_bad_jobs; ++job) {
     mpm::Scene& scene = scenes.emplace_back(base);
+    value.of_job(job);
+    Mistakes of_values;
     for (const Assignment& one : ordered) {
-      const double value = one.point(combinations, job).value;
-      if (one.axis->quantity)
-        one.axis->quantity->set(scene, value);
+      const double si = value(one);
+      if (one.axis->expression && !fits(one, si, of_values)) continue;
+      if (one.axis->own)
+        scene.labels.push_back({std::string(one.axis->name()), si, std::string(one.axis->quantity->unit)});
+      else if (one.axis->quantity)
+        one.axis->quantity->set(scene, si);
       else
-        one.axis->choice->set(scene, static_cast<std::size_t>(value));
+        one.axis->choice->set(scene, static_cast<std::size_t>(si));
       if (one.axis->name() == space_name) scene.numerics = mpm::default_numerics(scene.kind, scene.space);
+    }
+    if (request.bodies) request.bodies->apply(scene, std::cref(value), of_values);
+    if (!of_values.empty()) {
+      mistakes.add(of_values);
+      ++bad_jobs;
+      continue;  // what follows compares numbers that have to be there
     }
     if (!names_kernel && !mpm::fast_step_has(scene)) scene.numerics.kernel = mpm::Kernel::reference;
     if (request.ladder.finds_cell) scene.numerics.cell_size = coarsest_cell(scene);

@@ -5,6 +5,7 @@
 
 #include "libmpm/scene/scene.hpp"
 #include "runner/study/axis.hpp"
+#include "runner/study/bodies.hpp"
 #include "runner/study/combine.hpp"
 #include "runner/study/gauges.hpp"
 #include "runner/study/ladder_request.hpp"
@@ -24,8 +25,9 @@ struct SceneRequest {
   WrittenUnits units;  ///< of what the file gives, for messages
   double cells = 1;    ///< --cells: cell_size of the axes is that of the file times this
   LadderRequest ladder;
-  Place ladder_place;  ///< of its key
-  Place place;         ///< of `scene`, for mistakes with values that the file does not name
+  Place ladder_place;              ///< of its key
+  Place place;                     ///< of `scene`, for mistakes with values that the file does not name
+  BodiesReader* bodies = nullptr;  ///< of scenes of bodies
 };
 
 /// The swept ones of the request's axes, in the order of the file.

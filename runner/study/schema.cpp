@@ -1,6 +1,10 @@
 #include "runner/study/schema.hpp"
 
+#include "libmpm/scene/kinds/kind.hpp"
+#include "runner/study/bodies.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace mpmstudy {
@@ -28,6 +32,9 @@ const std::vector<Keys>& other_keys() {
   };
   return keys;
 }
+
+/// Of kinds whose scenes are composed in the file; runner/study/bodies.hpp reads them.
+constexpr std::array composition_tables = {box_table, faces_table, body_table, materials_table};
 
 /// "in [parameters]".
 std::string where(std::string_view table) {
@@ -139,6 +146,8 @@ void check_keys(const Table& entries, std::string_view table, std::optional<mpm:
   if (table.empty()) {
     const auto tables = table_names();
     known.insert(known.end(), tables.begin(), tables.end());
+    if (kind && mpm::kind_of(*kind).is_composed)
+      known.insert(known.end(), composition_tables.begin(), composition_tables.end());
   }
   for (const Entry& entry : entries.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;

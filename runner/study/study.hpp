@@ -71,6 +71,12 @@ struct WrittenUnit {
 
 using WrittenUnits = std::map<std::string, WrittenUnit>;  ///< by name of the quantity
 
+/// A parameter that the study has a name for and no table has (Scene::labels has its value in each job).
+struct OwnParameter {
+  std::string name;
+  std::string unit;  ///< SI
+};
+
 struct Study {
   std::filesystem::path path;
   std::string name;
@@ -79,6 +85,7 @@ struct Study {
   std::vector<std::string> swept;   ///< names of the swept quantities and choices, in file order
   std::vector<std::string> given;   ///< names of everything the file sets, swept or not; the rest is default
   std::vector<std::string> places;  ///< of given, where each is said: "studies/a.toml:12:16", "--set"
+  std::vector<OwnParameter> own;    ///< parameters of the study's own, in file order
   WrittenUnits units;               ///< of what is given with a unit and of what is searched
   std::vector<mpm::Scene> scenes;   ///< one per job, in the order of the sweep, every one without mistakes
   std::vector<mpm::Gauge> gauges;   ///< of every scene, by name

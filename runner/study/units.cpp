@@ -2,9 +2,13 @@
 
 #include <udunits2.h>
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "runner/study/decimal.hpp"
 
@@ -52,6 +56,7 @@ struct Units::System {
   ut_system* handle = nullptr;
   ~System() { ut_free_system(handle); }
   Unit parse(std::string_view text) const {
+    if (text == "deg") text = "degree";  // what most people write; UDUNITS knows the long word only
     return Unit(ut_parse(handle, std::string(text).c_str(), UT_UTF8));
   }
 };
@@ -98,6 +103,31 @@ std::variant<Conversion, std::string> Units::conversion(std::string_view from, s
     return wrong;
   if (result.offset == 0) result.shift = power_of_ten(result.slope);
   return result;
+}
+
+/// UDUNITS writes a unit in base units as "1e-06 m", "1000 kg.m-1.s-2", "K @ 273.15".
+std::optional<Dimension> Units::dimension(std::string_view text) const {
+  if (text == "1") return Dimension{};
+  if (!is_plain(text)) return std::nullopt;
+  const Unit unit = system_->parse(text);
+  std::array<char, 256> buffer{};
+  if (!unit || ut_format(unit.get(), buffer.data(), buffer.size(), UT_ASCII | UT_DEFINITION) <= 0)
+    return std::nullopt;
+  std::string definition(buffer.data());
+  definition.resize(std::min(definition.find('@'), definition.size()));
+  std::ranges::replace(definition, '.', ' ');
+  std::istringstream words(definition);
+  Dimension dimension;
+  for (std::string word; words >> word;) {
+    const std::size_t letters = word.find_first_of("-0123456789");
+    const std::string base = word.substr(0, letters);
+    if (base.empty() || base == "rad") continue;  // the factor; an angle
+    const auto k = std::ranges::find(Dimension::units, base);
+    if (k == Dimension::units.end()) return std::nullopt;
+    const int power = letters == word.npos ? 1 : std::stoi(word.substr(letters));
+    dimension.powers[static_cast<std::size_t>(k - Dimension::units.begin())] += power;
+  }
+  return dimension;
 }
 
 }  // namespace mpmstudy

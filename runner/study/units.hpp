@@ -6,6 +6,8 @@
 #include <string_view>
 #include <variant>
 
+#include "runner/study/dimension.hpp"
+
 namespace mpmstudy {
 
 /// How numbers in one unit become numbers in another: a plain value, independent of the unit library.
@@ -30,6 +32,9 @@ class Units {
   /// From unit `from`, as written in a study ("um", "kg/m3", "degC"), to `to`, SI as in the parameter table
   /// ("1": a pure number). The string says what is wrong with `from`: "no such unit", "cannot be ...".
   std::variant<Conversion, std::string> conversion(std::string_view from, std::string_view to) const;
+
+  /// Of a unit as written in a study. Empty: it is none.
+  std::optional<Dimension> dimension(std::string_view unit) const;
 
  private:
   struct System;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "libmpm/scene/build.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/simulation.hpp"
 #include "tests/libmpm/scenes.hpp"
 
@@ -13,14 +14,14 @@ namespace {
 using mpm::Face;
 using mpm::Shape;
 using mpm::Side;
-using mpm::Vec3;
+using mpm::Triple;
 using testing::HasSubstr;
 
-Shape block(const Vec3& low, const Vec3& high) {
-  return {Shape::Form::block, {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()}, {}};
+Shape block(const Triple& low, const Triple& high) {
+  return {Shape::Form::block, {low[0], low[1], low[2], high[0], high[1], high[2]}, {}};
 }
-Shape ball(const Vec3& center, double radius) {
-  return {Shape::Form::ball, {center.x(), center.y(), center.z(), radius}, {}};
+Shape ball(const Triple& center, double radius) {
+  return {Shape::Form::ball, {center[0], center[1], center[2], radius}, {}};
 }
 Shape minus(Shape a, Shape b) { return {Shape::Form::difference, {}, {std::move(a), std::move(b)}}; }
 
@@ -98,15 +99,15 @@ TEST(Bodies, TwoBodiesWrittenOutAreTheSame) {
   kind.kind = mpm::SceneKind::two_body_impact;
   kind.end_time = 1e-9;
   mpm::Scene s = boxed(kind);
-  s.composition.low.y() = -1.2 * kind.block_height;  // whole cells
+  s.composition.low[1] = -1.2 * kind.block_height;  // whole cells
   face(s, Side::bottom) = Face::open;
-  const Vec3 high = s.composition.high;
+  const Triple high = s.composition.high;
   s.composition.bodies = {
       {"flyer",
        minus(block({0, 0, 0}, high), ball({0, kind.cavity_center_height, 0}, kind.cavity_radius)),
        0,
        {0, -kind.impact_speed, 0}},
-      {"struck", block({0, -kind.block_height, 0}, {high.x(), 0, 0}), 0, {0, kind.impact_speed, 0}}};
+      {"struck", block({0, -kind.block_height, 0}, {high[0], 0, 0}), 0, {0, kind.impact_speed, 0}}};
   const mpm::RunResult one = mpm::run(kind), other = mpm::run(s);
   ASSERT_EQ(other.status, mpm::RunStatus::done) << other.reason;
   EXPECT_EQ(one.steps, other.steps);
@@ -139,7 +140,7 @@ TEST(Bodies, FlyFreelyBetweenOpenFaces) {
 
 TEST(Bodies, EndARunWhereTheyReachAnOpenFace) {
   for (const mpm::Kernel kernel : {mpm::Kernel::fast, mpm::Kernel::reference})
-    for (const Vec3& velocity : {Vec3(500, 0, 0), Vec3(-500, 0, 0), Vec3(0, -500, 0)}) {
+    for (const Triple& velocity : {Triple{500, 0, 0}, Triple{-500, 0, 0}, Triple{0, -500, 0}}) {
       mpm::Scene s = flight(kernel);
       s.composition.bodies[0].velocity = velocity;
       s.end_time = 20e-9;
@@ -147,6 +148,17 @@ TEST(Bodies, EndARunWhereTheyReachAnOpenFace) {
       EXPECT_EQ(r.status, mpm::RunStatus::failed);
       EXPECT_THAT(r.reason, HasSubstr("a body has reached an open face of the box"));
     }
+}
+
+// Figures show the image of a half.
+TEST(Bodies, AreHalfOfASceneBesideAMirrorAtZero) {
+  const auto is_half = [](const mpm::Scene& s) { return mpm::kind_of(s).is_half(s); };
+  mpm::Scene s = flight(mpm::Kernel::fast);
+  EXPECT_FALSE(is_half(s));
+  face(s, Side::left) = Face::mirror;
+  EXPECT_TRUE(is_half(s));
+  s.composition.low[0] = -1e-6;
+  EXPECT_FALSE(is_half(s));
 }
 
 TEST(Bodies, TurnAsTheirSpinSays) {
@@ -182,9 +194,9 @@ TEST(Bodies, SayWhatIsWrong) {
   EXPECT_THAT(problems(s), HasSubstr("two bodies overlap at x = "));
   s = good;
   s.composition.bodies[0].shape = ball({20e-6, 2e-6, 0}, 1e-6);
-  EXPECT_THAT(problems(s), HasSubstr("body \"ball\": a body lies outside of the grid"));
+  EXPECT_THAT(problems(s), HasSubstr("body ball = a body lies outside of the grid"));
   s = good;
-  s.composition.bodies[0].velocity = Vec3::Zero();
+  s.composition.bodies[0].velocity = {};
   EXPECT_THAT(problems(s), HasSubstr("nothing moves"));
   s = good;
   s.composition.bodies[0].shape = {Shape::Form::cylinder, {0, 0, 0, 0, 1e-6, 0, 1e-6}, {}};
@@ -200,7 +212,7 @@ TEST(Bodies, SayWhatIsWrong) {
   face(s, Side::top) = Face::mirror;
   EXPECT_THAT(problems(s), HasSubstr("faces.top = mirror"));
   s = good;
-  s.composition.high.x() = 0;
+  s.composition.high[0] = 0;
   EXPECT_THAT(problems(s), HasSubstr("box = (0, 4e-06) m: must be high above low"));
   s = good;
   s.composition.bodies[0].material = 1;

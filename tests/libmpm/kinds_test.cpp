@@ -43,7 +43,7 @@ template <class Visit>
 void each_member(mpm::Scene& s, const Visit& visit) {
   VISIT(s, kind, material, other_materials, impact_speed, block_width, block_height, cavity_radius,
         cavity_center_height, inner_radius, outer_radius, inner_speed, end_time, space, composition, numerics,
-        measures)
+        measures, labels)
   VISIT(s.material, name, law, eos, strength, reference_density, youngs_modulus, poissons_ratio, yield_stress,
         hardening_modulus, hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope,
         gruneisen_gamma, specific_heat, initial_temperature, pressure_limit, tension, spall_strength,

@@ -27,7 +27,9 @@ class Dice {
 /// A legal scene; lengths are in units of its own scale, which spans 2^40.
 mpm::Scene draw(Dice& d) {
   mpm::Scene s;
-  s.kind = static_cast<mpm::SceneKind>(d.one_of(mpm::scene_kind_names().size()));
+  // those that are made of numbers come first
+  const auto kinds = std::ranges::count_if(mpm::kinds(), [](const mpm::Kind* k) { return !k->is_composed; });
+  s.kind = static_cast<mpm::SceneKind>(d.one_of(static_cast<std::size_t>(kinds)));
   s.material = mpm::named_material("aluminium");
   s.numerics = mpm::default_numerics(s.kind);
   // not those that came later: one more draw would make other scenes of all seeds

@@ -7,6 +7,7 @@
 
 #include "libmpm/core/errors.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
+#include "libmpm/scene/region_of.hpp"
 
 namespace mpm {
 namespace {
@@ -19,6 +20,9 @@ constexpr int fewest_cells = 3;
 /// What is looked at before a run starts is looked at on no more cells than these along an edge.
 constexpr double look_cells(int axes) { return axes == 2 ? 96 : 32; }
 
+double at(const Triple& t, int axis) { return t[static_cast<std::size_t>(axis)]; }
+Vec3 edges(const Composition& all) { return vector(all.high) - vector(all.low); }
+
 bool is_open(const Scene& s, Side side) { return s.composition.face(side) == Face::open; }
 
 /// How a box is cut along one axis.
@@ -28,7 +32,7 @@ struct Cut {
   int all() const { return before + within + behind; }
 };
 Cut cut(const Scene& s, int axis, Side low, Side high) {
-  const double length = s.composition.high[axis] - s.composition.low[axis];
+  const double length = at(s.composition.high, axis) - at(s.composition.low, axis);
   const int within = std::max(1, static_cast<int>(std::lround(length / s.numerics.cell_size)));
   return {length / within, is_open(s, low) ? spare_cells : 0, within, is_open(s, high) ? spare_cells : 0};
 }
@@ -47,12 +51,12 @@ BasicLattice<axes> lattice(const Scene& s) {
   const Cut x = across(s), y = upwards(s);
   BasicLattice<axes> l;
   l.cell.template head<2>() = Vec2(x.cell, y.cell);
-  l.origin = all.low.head<axes>();
+  l.origin = vector(all.low).head<axes>();
   l.origin.x() -= x.before * x.cell, l.origin.y() -= y.before * y.cell;
   l.columns = x.all(), l.rows = y.all();
   l.empty_rows = y.before;
-  l.width = all.high.x() - all.low.x();
-  l.center = 0.5 * (all.low + all.high).head<axes>();
+  l.width = edges(all).x();
+  l.center = 0.5 * (vector(all.low) + vector(all.high)).head<axes>();
   if constexpr (axes == 3) {
     const Cut z = deep(s);
     l.cell.z() = z.cell, l.slices = z.all();
@@ -75,13 +79,13 @@ Floor floor(const Scene& s) {
 
 template <int axes>
 BasicBody<axes> body_of(const Composition& all, const ComposedBody& b) {
-  const auto velocity = [v = b.velocity, spin = b.spin, about = b.about](const Vec<axes>& x) {
+  const auto velocity = [v = vector(b.velocity), spin = b.spin, about = vector(b.about)](const Vec<axes>& x) {
     const Vec2 arm = x.template head<2>() - about.head<2>();
     Vec3 here = v;
     here.head<2>() += spin * Vec2(-arm.y(), arm.x());
     return Vec<axes>(here.head<axes>());
   };
-  const Vec<axes> low = all.low.head<axes>(), high = all.high.head<axes>();
+  const Vec<axes> low = vector(all.low).head<axes>(), high = vector(all.high).head<axes>();
   return {region_of<axes>(b.shape) & block<axes>(low, high), velocity};
 }
 
@@ -94,27 +98,32 @@ BasicState<axes> empty(const Scene& s, const BasicLattice<axes>& l) {
 }
 
 template <int axes>
-BasicState<axes> state(const Scene& s) {
+BasicState<axes> without_bodies(const Scene& s) {
   const BasicLattice<axes> l = lattice<axes>(s);
   BasicState<axes> state = empty<axes>(s, l);
   state.open = {is_open(s, Side::left), is_open(s, Side::right), is_open(s, Side::front),
                 is_open(s, Side::back)};
   if (s.composition.face(Side::top) == Face::mirror) state.ceiling = l.rows;
-  for (const ComposedBody& b : s.composition.bodies) {
-    try {
-      fill(state, body_of<axes>(s.composition, b), s, b.material);
-    } catch (const InputError& error) {
-      throw InputError("body \"" + b.name + "\": " + error.what());
-    }
-    state.particles.body_ends.push_back(state.particles.size());
-  }
+  return state;
+}
+
+template <int axes>
+void add_body(BasicState<axes>& state, const Scene& s, const ComposedBody& b) {
+  fill(state, body_of<axes>(s.composition, b), s, b.material);
+  state.particles.body_ends.push_back(state.particles.size());
+}
+
+template <int axes>
+BasicState<axes> state(const Scene& s) {
+  BasicState<axes> state = without_bodies<axes>(s);
+  for (const ComposedBody& b : s.composition.bodies) add_body(state, s, b);
   return state;
 }
 
 /// The scene on cells that are few enough to be filled when it is only looked at.
 Scene coarse(Scene s) {
   const Composition& all = s.composition;
-  const double largest = (all.high - all.low).maxCoeff();
+  const double largest = edges(all).maxCoeff();
   s.numerics.cell_size = std::max(s.numerics.cell_size, largest / look_cells(axes_of(s.space)));
   return s;
 }
@@ -137,9 +146,9 @@ std::string refusal_of_form(const Shape& shape, Space space) {
   return {};
 }
 
-std::string vector_text(const Vec3& v, int axes, const char* unit) {
+std::string vector_text(const Triple& v, int axes, const char* unit) {
   std::string text;
-  for (int k = 0; k < axes; ++k) text += (k == 0 ? "" : ", ") + text_of(v[k]);
+  for (int k = 0; k < axes; ++k) text += (k == 0 ? "" : ", ") + text_of(at(v, k));
   return "(" + text + ") " + unit;
 }
 
@@ -147,11 +156,11 @@ void check_box(const Scene& s, Report& report) {
   const Composition& all = s.composition;
   const int axes = axes_of(s.space);
   for (int k = 0; k < axes; ++k)
-    if (!(all.high[k] > all.low[k]))
+    if (!(at(all.high, k) > at(all.low, k)))
       report.add_other("box", vector_text(all.high, axes, "m"),
                        "high above low = " + vector_text(all.low, axes, "m") + " along each axis");
-  if (s.space == Space::axisymmetric && all.low.x() != 0)
-    report.add_other("box", "low x = " + text_of(all.low.x()) + " m",
+  if (s.space == Space::axisymmetric && all.low[0] != 0)
+    report.add_other("box", "low x = " + text_of(all.low[0]) + " m",
                      "from x = 0 on, the axis, when space is \"axisymmetric\"");
   if (s.space == Space::axisymmetric && is_open(s, Side::left))
     report.add_other("faces.left", "open", "\"mirror\" when space is \"axisymmetric\": it is the axis");
@@ -166,7 +175,7 @@ void check_box(const Scene& s, Report& report) {
   constexpr double most_cells = 1e9;
   const double h = s.numerics.cell_size;
   double cells = 1;
-  for (int k = 0; k < axes; ++k) cells *= (all.high[k] - all.low[k]) / h;
+  for (int k = 0; k < axes; ++k) cells *= edges(all)[k] / h;
   report.require(cells <= most_cells, "cell_size",
                  "large enough for at most 1e9 cells of the box (these would be " + text_of(cells) + ")");
   if (!report.empty()) return;
@@ -187,10 +196,10 @@ void check_bodies(const Scene& s, Report& report) {
       report.add_other(what, "material " + std::to_string(b.material),
                        "of the materials of the scene, bodies in their order");
     material = b.material;
-    moves = moves || b.velocity.norm() > 0 || b.spin != 0;
+    moves = moves || vector(b.velocity).norm() > 0 || b.spin != 0;
     if (const std::string instead = refusal_of_form(b.shape, s.space); !instead.empty())
       report.add_other(what + ", shape", "cylinder", instead);
-    if (s.space == Space::axisymmetric && (b.velocity.x() != 0 || b.spin != 0))
+    if (s.space == Space::axisymmetric && (b.velocity[0] != 0 || b.spin != 0))
       report.add_other(what + ", velocity", vector_text(b.velocity, 2, "m/s"),
                        "along y, without a spin, when space is \"axisymmetric\"");
   }
@@ -200,11 +209,17 @@ void check_bodies(const Scene& s, Report& report) {
 
 /// What only bodies that are filled show: that they overlap, or are not there.
 template <int axes>
-void check_filled(const Scene& s, Report& report) {
-  try {
-    state<axes>(coarse(s));
-  } catch (const InputError& error) {
-    report.add_other("body", "cannot be filled", error.what());
+void check_filled(const Scene& scene, Report& report) {
+  const Scene s = coarse(scene);
+  BasicState<axes> state = without_bodies<axes>(s);
+  for (const ComposedBody& b : s.composition.bodies) {
+    try {
+      add_body(state, s, b);
+    } catch (const InputError& error) {
+      report.add_other("body " + b.name, error.what(),
+                       "bodies apart from each other, each of them in the box and as large as a cell");
+      return;
+    }
   }
 }
 
@@ -215,15 +230,15 @@ void check(const Scene& s, Report& report) {
 }
 
 Extent extent(const Scene& s) {
-  const Vec3 edges = s.composition.high - s.composition.low;
-  return {edges.x(), edges.y(), edges.z()};
+  const Vec3 box = edges(s.composition);
+  return {box.x(), box.y(), box.z()};
 }
 
 double fastest(const Scene& s) {
-  const Vec3 edges = s.composition.high - s.composition.low;
+  const double across = edges(s.composition).head<2>().norm();
   double most = 0;
   for (const ComposedBody& b : s.composition.bodies)
-    most = std::max(most, b.velocity.norm() + std::abs(b.spin) * edges.head<2>().norm());
+    most = std::max(most, vector(b.velocity).norm() + std::abs(b.spin) * across);
   return most;
 }
 
@@ -249,10 +264,14 @@ double smallest_length(const Shape& shape, int axes) {
 
 double coarsest_cell(const Scene& s) {
   const int axes = axes_of(s.space);
-  double least = (s.composition.high - s.composition.low).head(axes).minCoeff() / 8;
+  double least = edges(s.composition).head(axes).minCoeff() / 8;
   for (const ComposedBody& b : s.composition.bodies)
     least = std::min(least, smallest_length(b.shape, axes) / 6);
   return least;
+}
+
+bool is_half(const Scene& s) {
+  return s.composition.low[0] == 0 && s.composition.face(Side::left) == Face::mirror;
 }
 
 std::vector<Part> parts(const Scene&) { return {}; }
@@ -279,6 +298,7 @@ extern constinit const Kind bodies{
     .name = "bodies",
     .quantities = {},
     .headline = "hot_spot_temperature_K",
+    .is_composed = true,
     .set_default_numerics = set_default_numerics,
     .check = check,
     .extent = extent,
@@ -286,6 +306,7 @@ extern constinit const Kind bodies{
     .fastest = fastest,
     .coarsest_cell = coarsest_cell,
     .parts = parts,
+    .is_half = is_half,
     .of_two_axes = in_axes<2>,
     .of_three_axes = in_axes<3>,
 };

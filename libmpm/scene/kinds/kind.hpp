@@ -54,6 +54,8 @@ inline double no_shock(const Scene&) { return 0; }
 /// The time of a scene whose bodies need not part.
 inline double never(const Scene&) { return std::numeric_limits<double>::infinity(); }
 
+inline bool is_half_by_choice(const Scene& s) { return s.numerics.symmetry == Symmetry::half; }
+
 /// Functions of a scene of that kind. Lengths in m, speeds in m/s. What has no default must be said.
 struct Kind {
   SceneKind kind;
@@ -67,6 +69,7 @@ struct Kind {
   std::string_view headline;
   /// What RunResult::outcome can say, beside "undecided". None: the kind decides nothing.
   std::span<const std::string_view> outcomes = {};
+  bool is_composed = false;       ///< whether its scenes have a Composition, of bodies
   bool has_area_history = false;  ///< whether its runs hand the area of a cavity to the observer
 
   void (*set_default_numerics)(Numerics&);
@@ -81,6 +84,8 @@ struct Kind {
   double (*shock_pressure)(const Scene&) = no_shock;
   /// When real bodies, once they have met, would part again: those of the scene hold together [s].
   double (*parting_time)(const Scene&) = never;
+  /// Whether what lies at x < 0 is the image of what is modelled.
+  bool (*is_half)(const Scene&) = is_half_by_choice;
   KindIn<2> of_two_axes;
   KindIn<3> of_three_axes = {};
 

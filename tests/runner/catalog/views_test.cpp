@@ -81,6 +81,7 @@ TEST_F(Views, jobs_has_the_columns_of_the_table_of_results) {
 TEST_F(Views, others) {
   EXPECT_EQ(columns("metrics"), (Names{"key", "name", "value", "unit", "error"}));
   EXPECT_EQ(columns("area_history"), (Names{"key", "time_s", "area_m2", "void_area_m2"}));
+  EXPECT_EQ(columns("parameters"), (Names{"study", "key", "name", "value", "unit"}));
   EXPECT_EQ(columns("history"), (Names{"key", "name", "time_s", "value", "unit"}));
   EXPECT_EQ(columns("critical_speed"),
             (Names{"study", "wall_thickness_m", "lower_m_s", "upper_m_s", "lower_key", "upper_key",
@@ -108,8 +109,9 @@ TEST_F(Views, every_column_is_documented) {
   std::ifstream file(SOURCE_DIR "/runner/catalog/VIEWS.md");
   std::stringstream text;
   text << file.rdbuf();
-  for (const char* view : {"jobs", "metrics", "area_history", "history", "brackets", "critical_speed", "fits",
-                           "snapshots", "events", "studies", "accuracy", "ladders", "claims"})
+  for (const char* view :
+       {"jobs", "metrics", "area_history", "history", "parameters", "brackets", "critical_speed", "fits",
+        "snapshots", "events", "studies", "accuracy", "ladders", "claims"})
     for (const auto& column : columns(view))
       EXPECT_NE(text.str().find("`" + column + "`"), std::string::npos) << view << "." << column;
 }

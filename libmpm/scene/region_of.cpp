@@ -1,10 +1,14 @@
-#include "libmpm/scene/composition.hpp"
+#include "libmpm/scene/region_of.hpp"
 
 #include <functional>
 #include <limits>
 
 namespace mpm {
 namespace {
+
+Mat3 rotation_of(const Shape& shape) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(shape.rotation.data());
+}
 
 /// Reads the numbers of a shape one after the other, where the shape puts them.
 template <int axes>
@@ -18,8 +22,8 @@ class Numbers {
     const double x = number(), y = number(), z = number();
     return {x, y, z};
   }
-  Vec<axes> point() { return in_axes(shape_.rotation * triple() + shape_.shift); }
-  Vec<axes> direction() { return in_axes(shape_.rotation * triple()); }
+  Vec<axes> point() { return in_axes(rotation_of(shape_) * triple() + vector(shape_.shift)); }
+  Vec<axes> direction() { return in_axes(rotation_of(shape_) * triple()); }
   Vec<axes> lengths() { return in_axes(triple()); }
   static Vec<axes> in_axes(const Vec3& x) { return x.head<axes>(); }
 
@@ -31,10 +35,12 @@ class Numbers {
 /// A block that is turned lies between pairs of planes.
 template <int axes>
 BasicRegion<axes> turned_block(const Vec3& low, const Vec3& high, const Shape& shape) {
-  const auto move = [&](const Vec3& x) { return Numbers<axes>::in_axes(shape.rotation * x + shape.shift); };
+  const auto move = [&](const Vec3& x) {
+    return Numbers<axes>::in_axes(rotation_of(shape) * x + vector(shape.shift));
+  };
   BasicRegion<axes> region = everywhere<axes>();
   for (int k = 0; k < axes; ++k) {
-    const Vec<axes> outwards = Numbers<axes>::in_axes(shape.rotation * Vec3::Unit(k));
+    const Vec<axes> outwards = Numbers<axes>::in_axes(rotation_of(shape) * Vec3::Unit(k));
     region = region & half_space<axes>(move(high), outwards) & half_space<axes>(move(low), -outwards);
   }
   region.low = Vec<axes>::Constant(std::numeric_limits<double>::infinity());
@@ -54,8 +60,8 @@ BasicRegion<axes> primitive(const Shape& shape) {
   switch (shape.form) {
     case Shape::Form::block: {
       const Vec3 low = of.triple(), high = of.triple();
-      if (!shape.rotation.isIdentity(0)) return turned_block<axes>(low, high, shape);
-      return block<axes>(of.in_axes(low + shape.shift), of.in_axes(high + shape.shift));
+      if (shape.rotation != Shape::no_rotation) return turned_block<axes>(low, high, shape);
+      return block<axes>(of.in_axes(low + vector(shape.shift)), of.in_axes(high + vector(shape.shift)));
     }
     case Shape::Form::ball: {
       const Vec<axes> center = of.point();
@@ -63,13 +69,13 @@ BasicRegion<axes> primitive(const Shape& shape) {
     }
     case Shape::Form::ellipsoid: {
       const Vec<axes> center = of.point(), half_axes = of.lengths();
-      return ellipsoid<axes>(center, half_axes, shape.rotation.topLeftCorner<axes, axes>());
+      return ellipsoid<axes>(center, half_axes, rotation_of(shape).topLeftCorner<axes, axes>());
     }
     case Shape::Form::polygon: {
       std::vector<Vec2> corners;
       while (of.left()) {
         const double x = of.number(), y = of.number();
-        corners.push_back((shape.rotation * Vec3(x, y, 0) + shape.shift).head<2>());
+        corners.push_back((rotation_of(shape) * Vec3(x, y, 0) + vector(shape.shift)).head<2>());
       }
       return polygon<axes>(corners);
     }
@@ -90,8 +96,12 @@ BasicRegion<axes> primitive(const Shape& shape) {
 
 /// The shape moved by what its whole is moved by.
 Shape moved(Shape part, const Shape& whole) {
-  part.shift = whole.rotation * part.shift + whole.shift;
-  part.rotation = whole.rotation * part.rotation;
+  const Vec3 shift = rotation_of(whole) * vector(part.shift) + vector(whole.shift);
+  const Mat3 rotation = rotation_of(whole) * rotation_of(part);
+  for (int i = 0; i < 3; ++i) {
+    part.shift[static_cast<std::size_t>(i)] = shift[i];
+    for (int k = 0; k < 3; ++k) part.rotation[static_cast<std::size_t>(3 * i + k)] = rotation(i, k);
+  }
   return part;
 }
 

@@ -1,0 +1,129 @@
+#include "runner/plan/composition_text.hpp"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "libmpm/scene/effect.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
+#include "libmpm/scene/parameters.hpp"
+
+namespace mpmstudy {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* infinite = "infinite";  // JSON has no such number
+
+json number(double value) { return std::isinf(value) ? json(infinite) : json(value + 0.0); }
+double number_of(const json& j) {
+  return j.is_string() ? std::numeric_limits<double>::infinity() : j.get<double>();
+}
+
+template <class Word, class Words>
+std::string word_of(Word word, const Words& words) {
+  return std::string(words[static_cast<std::size_t>(word)]);
+}
+template <class Word, class Words>
+Word from_word(const json& j, const Words& words) {
+  for (std::size_t k = 0; k < words.size(); ++k)
+    if (words[k] == j.get<std::string>()) return static_cast<Word>(k);
+  throw std::invalid_argument("a composition with the word " + j.dump());
+}
+
+json shape_json(const mpm::Shape& shape) {
+  json j{{"form", word_of(shape.form, mpm::shape_forms)}};
+  for (const double x : shape.numbers) j["numbers"].push_back(number(x));
+  for (const mpm::Shape& part : shape.parts) j["parts"].push_back(shape_json(part));
+  if (shape.rotation != mpm::Shape::no_rotation) j["rotation"] = shape.rotation;
+  if (shape.shift != mpm::Triple{}) j["shift"] = shape.shift;
+  return j;
+}
+mpm::Shape shape_from(const json& j) {
+  mpm::Shape shape;
+  shape.form = from_word<mpm::Shape::Form>(j.at("form"), mpm::shape_forms);
+  for (const json& x : j.value("numbers", json::array())) shape.numbers.push_back(number_of(x));
+  for (const json& part : j.value("parts", json::array())) shape.parts.push_back(shape_from(part));
+  shape.rotation = j.value("rotation", mpm::Shape::no_rotation);
+  shape.shift = j.value("shift", mpm::Triple{});
+  return shape;
+}
+
+/// Rows of the parameter table that are of a material, of number `index` of the scene.
+json material_json(mpm::Scene scene, std::size_t index, bool for_key) {
+  scene.material = mpm::material_of(scene, index);
+  json j;
+  if (!for_key) j["name"] = scene.material.name;
+  const auto has_effect = [&](std::string_view name) {
+    const mpm::Condition* condition = mpm::condition_of(name);
+    return !for_key || !condition || condition->holds(scene);
+  };
+  for (const mpm::Quantity& row : mpm::quantities())
+    if (mpm::is_of_material(row) && !row.derived && has_effect(row.name) &&
+        !(for_key && row.get(scene) == row.implied))
+      j[std::string(row.name)] = number(row.get(scene));
+  for (const mpm::Choice& row : mpm::choices())
+    if (row.section == mpm::Section::material && has_effect(row.name) &&
+        !(for_key && row.allowed[row.get(scene)] == row.implied))
+      j[std::string(row.name)] = std::string(row.allowed[row.get(scene)]);
+  return j;
+}
+mpm::Material material_from(mpm::Scene scene, const json& j) {
+  scene.material = {};
+  for (const mpm::Quantity& row : mpm::quantities())
+    if (mpm::is_of_material(row) && j.contains(row.name))
+      row.set(scene, number_of(j.at(std::string(row.name))));
+  for (const mpm::Choice& row : mpm::choices())
+    if (row.section == mpm::Section::material && j.contains(row.name))
+      row.set(scene, from_word<std::size_t>(j.at(std::string(row.name)), row.allowed));
+  scene.material.name = j.at("name").get<std::string>();
+  return scene.material;
+}
+
+std::string text_of(const mpm::Scene& scene, bool for_key) {
+  if (!mpm::kind_of(scene).is_composed) return {};
+  const mpm::Composition& all = scene.composition;
+  json j{{"low", all.low}, {"high", all.high}};
+  for (const mpm::Face face : all.faces) j["faces"].push_back(word_of(face, mpm::face_words));
+  for (const mpm::ComposedBody& b : all.bodies)
+    j["bodies"].push_back({{"name", b.name},
+                           {"shape", shape_json(b.shape)},
+                           {"material", b.material},
+                           {"velocity", b.velocity},
+                           {"spin", b.spin},
+                           {"about", b.about}});
+  for (std::size_t m = 0; m < mpm::material_count(scene); ++m)
+    j["materials"].push_back(material_json(scene, m, for_key));
+  return j.dump();
+}
+
+}  // namespace
+
+std::string composition_text(const mpm::Scene& scene) { return text_of(scene, false); }
+std::string composition_key(const mpm::Scene& scene) { return text_of(scene, true); }
+
+void set_composition(mpm::Scene& scene, const std::string& text) {
+  if (text.empty()) return;
+  try {
+    const json j = json::parse(text);
+    mpm::Composition& all = scene.composition = {};
+    all.low = j.at("low").get<mpm::Triple>();
+    all.high = j.at("high").get<mpm::Triple>();
+    for (std::size_t side = 0; side < all.faces.size(); ++side)
+      all.faces[side] = from_word<mpm::Face>(j.at("faces").at(side), mpm::face_words);
+    for (const json& b : j.at("bodies"))
+      all.bodies.push_back({b.at("name").get<std::string>(), shape_from(b.at("shape")),
+                            b.at("material").get<std::size_t>(), b.at("velocity").get<mpm::Triple>(),
+                            b.at("spin").get<double>(), b.at("about").get<mpm::Triple>()});
+    scene.other_materials.clear();
+    const json& materials = j.at("materials");
+    for (std::size_t m = 1; m < materials.size(); ++m)
+      scene.other_materials.push_back(material_from(scene, materials[m]));
+    scene.material = material_from(scene, materials.at(0));
+  } catch (const json::exception& error) {
+    throw std::invalid_argument(std::string("a composition that cannot be read: ") + error.what());
+  }
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,270 @@
+#include "runner/study/bodies.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "libmpm/scene/parameters.hpp"
+#include "runner/study/schema.hpp"
+#include "runner/study/shapes.hpp"
+
+namespace mpmstudy {
+namespace {
+
+constexpr std::array<std::string_view, 6> body_keys = {"name",     "material",         "shape",
+                                                       "velocity", "angular_velocity", "about"};
+
+const Table* table_at(const Table& document, std::string_view name) {
+  const Entry* entry = document.find(name);
+  return entry ? entry->value.table() : nullptr;
+}
+
+/// Adds a mistake for each key that is none of those; whether there is none.
+template <class Keys>
+bool check_words(const Table& table, std::string_view what, const Keys& keys, Mistakes& mistakes) {
+  bool good = true;
+  for (const Entry& entry : table.entries)
+    if (std::ranges::find(keys, entry.key) == std::end(keys)) {
+      mistakes.add(entry.place, std::string(what) + "." + entry.key, entry.value.written(),
+                   unknown_word(entry.key, "key of " + std::string(what), keys));
+      good = false;
+    }
+  return good;
+}
+
+/// Of [materials.NAME], beside base.
+std::vector<std::string_view> keys_of_materials() {
+  std::vector<std::string_view> keys;
+  for (const mpm::Quantity& row : mpm::quantities())
+    if (mpm::is_of_material(row)) keys.push_back(row.name);
+  for (const mpm::Choice& row : mpm::choices())
+    if (row.section == mpm::Section::material) keys.push_back(row.name);
+  return keys;
+}
+
+const std::string* text_at(const Table& table, std::string_view key) {
+  const Entry* entry = table.find(key);
+  return entry ? entry->value.string() : nullptr;
+}
+
+}  // namespace
+
+BodiesReader::BodiesReader(const Table& document, const Units& units, KnownParameters known)
+    : document_(document), quantities_(units, std::move(known)) {
+  const auto keep = [&](const std::string& name, const Place& place) { places_.try_emplace(name, place); };
+  for (const auto name : {box_table, faces_table, body_table})
+    if (const Entry* entry = document.find(name)) keep(std::string(name), entry->place);
+  if (const Table* faces = table_at(document, faces_table))
+    for (const Entry& entry : faces->entries) keep("faces." + entry.key, entry.value.place);
+  for (const Value& body : bodies()) {
+    const Table* table = body.table();
+    const std::string* name = table ? text_at(*table, "name") : nullptr;
+    if (!name) continue;
+    keep("body " + *name, body.place);
+    for (const char* part : {"shape", "velocity"})
+      if (const Entry* entry = table->find(part)) keep("body " + *name + ", " + part, entry->value.place);
+  }
+  if (const Table* materials = table_at(document, materials_table))
+    for (const Entry& one : materials->entries) {
+      const Table* table = one.value.table();
+      for (const auto key : keys_of_materials()) keep(std::string(key) + " of " + one.key, one.place);
+      for (const Entry& entry : table ? table->entries : std::vector<Entry>())
+        places_[entry.key + " of " + one.key] = entry.value.place;
+    }
+}
+
+const List& BodiesReader::bodies() const {
+  static const List none;
+  const Entry* entry = document_.find(body_table);
+  const List* list = entry ? entry->value.list() : nullptr;
+  return list ? *list : none;
+}
+
+bool BodiesReader::uses_study_material() const {
+  return std::ranges::any_of(
+      bodies(), [](const Value& body) { return body.table() && !body.table()->find("material"); });
+}
+
+const Place* BodiesReader::place_of(std::string_view parameter) const {
+  const auto found = places_.find(parameter);
+  return found == places_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> BodiesReader::warnings() const {
+  std::vector<std::string> lines;
+  const Table* materials = table_at(document_, materials_table);
+  for (const Entry& one : materials ? materials->entries : std::vector<Entry>()) {
+    const Table* table = one.value.table();
+    const Entry* density = table && table->find("base") ? table->find("reference_density") : nullptr;
+    if (!density) continue;
+    for (const char* other : {"specific_heat", "pressure_limit"})
+      if (!table->find(other))
+        lines.push_back(density->value.place.text() + ": " + one.key +
+                        " has another reference_density than " + "its base, whose " + other + " it keeps");
+  }
+  return lines;
+}
+
+std::optional<mpm::Material> BodiesReader::read_material(const mpm::Scene& scene, std::string_view name,
+                                                         const ValueOf& value, Mistakes& mistakes) {
+  const Table* materials = table_at(document_, materials_table);
+  const Entry* entry = materials ? materials->find(name) : nullptr;
+  if (!entry) return mpm::named_material(name);
+  const Table* table = entry->value.table();
+  const std::string what = "materials." + std::string(name);
+  if (!table) {
+    mistakes.add(what, entry->value, {"not a table", "write [" + what + "]"});
+    return std::nullopt;
+  }
+  auto keys = keys_of_materials();
+  keys.push_back("base");
+  if (!check_words(*table, what, keys, mistakes)) return std::nullopt;
+  mpm::Scene of = scene;  // rows are of scenes
+  of.material = {};
+  bool good = true;
+  if (const Entry* base = table->find("base")) {
+    const std::string* word = base->value.string();
+    if (!word || std::ranges::find(mpm::material_names(), *word) == mpm::material_names().end()) {
+      mistakes.add(what + ".base", base->value,
+                   unknown_word(word ? *word : "", "material", mpm::material_names()));
+      return std::nullopt;
+    }
+    of.material = mpm::named_material(*word);
+  }
+  for (const mpm::Quantity& row : mpm::quantities()) {
+    const Entry* given = mpm::is_of_material(row) ? table->find(row.name) : nullptr;
+    if (!given) continue;
+    const auto si =
+        quantities_.read(what + "." + given->key, given->value, {row.unit, row.range}, value, mistakes);
+    good = good && si;
+    if (si) row.set(of, *si);
+  }
+  for (const mpm::Choice& row : mpm::choices()) {
+    const Entry* given = row.section == mpm::Section::material ? table->find(row.name) : nullptr;
+    if (!given) continue;
+    const std::string* word = given->value.string();
+    const auto found = std::ranges::find(row.allowed, word ? *word : "");
+    if (found == row.allowed.end()) {
+      mistakes.add(what + "." + given->key, given->value,
+                   unknown_word(word ? *word : "", "choice", row.allowed));
+      good = false;
+    } else {
+      row.set(of, static_cast<std::size_t>(found - row.allowed.begin()));
+    }
+  }
+  of.material.name = name;
+  return good ? std::optional(of.material) : std::nullopt;
+}
+
+void BodiesReader::read_box(mpm::Scene& scene, const ValueOf& value, Mistakes& mistakes) {
+  const Entry* entry = document_.find(box_table);
+  const Table* box = entry ? entry->value.table() : nullptr;
+  constexpr std::array<std::string_view, 2> keys = {"low", "high"};
+  const Refusal missing{"missing",
+                        "[box] with low = [...] and high = [...]: the corners of what is modelled"};
+  if (!box) return mistakes.add(entry ? entry->place : document_.entries.front().place, box_table, missing);
+  if (!check_words(*box, box_table, keys, mistakes)) return;
+  const BodyContext context{scene.space, value, quantities_, mistakes};
+  for (const auto key : keys) {
+    const Entry* corner = box->find(key);
+    if (!corner) {
+      mistakes.add(entry->place, "box." + std::string(key), missing);
+      continue;
+    }
+    const auto at = context.vector("box." + std::string(key), corner->value, "m");
+    if (at) (key == "low" ? scene.composition.low : scene.composition.high) = *at;
+  }
+}
+
+void BodiesReader::read_faces(mpm::Scene& scene, Mistakes& mistakes) {
+  if (scene.space == mpm::Space::axisymmetric)
+    scene.composition.faces[static_cast<std::size_t>(mpm::Side::left)] = mpm::Face::mirror;
+  const Entry* entry = document_.find(faces_table);
+  if (!entry) return;
+  const Table* faces = entry->value.table();
+  if (!faces) return mistakes.add(faces_table, entry->value, {"not a table", "write [faces]"});
+  const std::size_t sides = scene.space == mpm::Space::three_d ? 6 : 4;
+  const std::vector<std::string_view> names(mpm::side_words.begin(), mpm::side_words.begin() + sides);
+  check_words(*faces, faces_table, names, mistakes);
+  for (const Entry& one : faces->entries) {
+    if (std::ranges::find(names, one.key) == names.end()) continue;
+    const std::string* word = one.value.string();
+    const auto found = std::ranges::find(mpm::face_words, word ? *word : "");
+    if (found == mpm::face_words.end())
+      mistakes.add("faces." + one.key, one.value, unknown_word(word ? *word : "", "face", mpm::face_words));
+    else
+      scene.composition.faces[static_cast<std::size_t>(std::ranges::find(names, one.key) - names.begin())] =
+          static_cast<mpm::Face>(found - mpm::face_words.begin());
+  }
+}
+
+void BodiesReader::apply(mpm::Scene& scene, const ValueOf& value, Mistakes& mistakes) {
+  scene.composition = {};
+  read_box(scene, value, mistakes);
+  read_faces(scene, mistakes);
+  const BodyContext context{scene.space, value, quantities_, mistakes};
+  std::vector<std::string_view> known(mpm::material_names().begin(), mpm::material_names().end());
+  if (const Table* materials = table_at(document_, materials_table))
+    for (const Entry& one : materials->entries) known.push_back(one.key);
+  // the study's own material is number 0, where a body is of it
+  std::vector<std::string> names;
+  std::vector<mpm::Material> materials;
+  if (uses_study_material()) names.emplace_back(), materials.push_back(scene.material);
+  for (const Value& one : bodies()) {
+    const Table* table = one.table();
+    if (!table) continue;
+    if (!check_words(*table, "body", body_keys, mistakes)) continue;
+    mpm::ComposedBody body;
+    const Entry *name = table->find("name"), *shape = table->find("shape"),
+                *material = table->find("material");
+    if (!name || !name->value.string() || name->value.string()->empty()) {
+      mistakes.add(name ? name->value.place : one.place, "body.name",
+                   {name ? "not a name" : "missing", "allowed: a text such as \"flyer\""});
+      continue;
+    }
+    body.name = *name->value.string();
+    if (body.name == "all")
+      mistakes.add("body.name", name->value, {"is kept for gauges of all bodies", "allowed: another name"});
+    if (shape) {
+      if (auto read = read_shape(*shape, context)) body.shape = std::move(*read);
+    } else {
+      mistakes.add(one.place, "body.shape", {"missing", "[[body]] needs shape = { ... }"});
+    }
+    if (const Entry* velocity = table->find("velocity"))
+      body.velocity = context.vector("body.velocity", velocity->value, "m/s").value_or(mpm::Triple{});
+    const Entry *spin = table->find("angular_velocity"), *about = table->find("about");
+    if (!spin != !about)
+      mistakes.add(
+          one.place, spin ? "body.about" : "body.angular_velocity",
+          {"missing", "a body that turns has angular_velocity and about, the point that it turns about"});
+    if (spin && about) {
+      body.spin =
+          context.number("body.angular_velocity", spin->value, {"rad/s", mpm::Range::any}).value_or(0);
+      body.about = context.vector("body.about", about->value, "m").value_or(mpm::Triple{});
+    }
+    if (material) {
+      const std::string* word = material->value.string();
+      if (!word || std::ranges::find(known, *word) == known.end()) {
+        mistakes.add("body.material", material->value, unknown_word(word ? *word : "", "material", known));
+        continue;
+      }
+      const auto found = std::ranges::find(names, *word);
+      body.material = static_cast<std::size_t>(found - names.begin());
+      if (found == names.end()) {
+        names.push_back(*word);
+        materials.push_back(read_material(scene, *word, value, mistakes).value_or(mpm::Material{}));
+      }
+    }
+    scene.composition.bodies.push_back(std::move(body));
+  }
+  if (const Table* of_file = table_at(document_, materials_table))
+    for (const Entry& one : of_file->entries)
+      if (std::ranges::find(names, one.key) == names.end())
+        mistakes.add(one.place, "materials." + one.key,
+                     {"no body is of it", "remove it, or name it as the material of a [[body]]"});
+  std::ranges::stable_sort(scene.composition.bodies, {}, &mpm::ComposedBody::material);
+  if (materials.empty()) return;
+  scene.material = materials.front();
+  scene.other_materials.assign(materials.begin() + 1, materials.end());
+}
+
+}  // namespace mpmstudy

@@ -1,0 +1,66 @@
+#include "runner/study/quantity_reader.hpp"
+
+#include <fmt/format.h>
+
+namespace mpmstudy {
+
+std::optional<Expression> read_expression(std::string_view key, const Value& value, const Expected& expected,
+                                          const Units& units, const KnownParameters& known,
+                                          Mistakes& mistakes) {
+  auto read = Expression::read(*value.string(), units, known.dimension, known.names);
+  if (const auto* refusal = std::get_if<ExpressionRefusal>(&read)) {
+    Place place = value.place;
+    if (place.line > 0) place.column += static_cast<std::uint32_t>(1 + refusal->at);  // behind the quote
+    mistakes.add(place, key, value.written(), *refusal);
+    return std::nullopt;
+  }
+  auto& expression = std::get<Expression>(read);
+  if (expression.has(units.dimension(expected.unit).value_or(Dimension{}))) return std::move(expression);
+  mistakes.add(key, value,
+               {"is a quantity in " + expression.dimension().text(),
+                "allowed: " + allowed_quantity(expected) + ", or an expression of that unit"});
+  return std::nullopt;
+}
+
+QuantityReader::Read QuantityReader::read_once(std::string_view key, const Value& value,
+                                               const Expected& expected, Mistakes& mistakes) const {
+  const Number number = read_quantity(value, expected, units_);
+  if (const double* si = std::get_if<double>(&number)) return *si;
+  const std::string* text = value.string();
+  const auto& refusal = std::get<Refusal>(number);
+  if (!text || names_in(*text).empty()) {
+    // no parameter in it, but perhaps a sum: "1 um + 2 um"
+    if (text && text->find_first_of("+*/(", 1) != std::string::npos &&
+        std::holds_alternative<Expression>(Expression::read(*text, units_, known_.dimension, known_.names))) {
+      if (auto expression = read_expression(key, value, expected, units_, known_, mistakes))
+        return std::move(*expression);
+      return {};
+    }
+    mistakes.add(key, value, refusal);
+    return {};
+  }
+  if (auto expression = read_expression(key, value, expected, units_, known_, mistakes))
+    return std::move(*expression);
+  return {};
+}
+
+std::optional<double> QuantityReader::read(std::string_view key, const Value& value, const Expected& expected,
+                                           const ValueOf& of, Mistakes& mistakes) {
+  const std::string* text = value.string();
+  const auto known = text ? read_.find({*text, std::string(expected.unit)}) : read_.end();
+  Read read = known != read_.end() ? known->second : read_once(key, value, expected, mistakes);
+  const auto* expression = std::get_if<Expression>(&read);
+  if (text && expression) read_.try_emplace({*text, std::string(expected.unit)}, *expression);
+  if (const double* si = std::get_if<double>(&read)) return *si;
+  if (!expression) return std::nullopt;
+  const double si = expression->value(of);
+  const Number number = in_range(si, expected);
+  if (const auto* refusal = std::get_if<Refusal>(&number)) {
+    mistakes.add(key, value,
+                 {fmt::format("makes {:.6g} {}, {}", si, expected.unit, refusal->wrong), refusal->allowed});
+    return std::nullopt;
+  }
+  return std::get<double>(number);
+}
+
+}  // namespace mpmstudy
