@@ -18,6 +18,7 @@
 #include "runner/catalog/job_states.hpp"
 #include "runner/catalog/stored_jobs.hpp"
 #include "runner/cli/last_run.hpp"
+#include "runner/plan/composition_text.hpp"
 #include "runner/plan/plan.hpp"
 #include "runner/search/search_planner.hpp"
 #include "runner/status/label.hpp"
@@ -58,6 +59,10 @@ std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
   if (here.measures.snapshots != there.measures.snapshots)
     all.push_back({"snapshots", counted(std::ssize(here.measures.snapshots), "time"),
                    counted(std::ssize(there.measures.snapshots), "time")});
+  if (here.kind == there.kind && composition_text(here) != composition_text(there)) {
+    const std::string own = own_parts(here, there), other = own_parts(there, here);
+    all.push_back({"composition", own, own == other ? "in another form" : other});
+  }
   if (here.measures.gauges != there.measures.gauges) {
     const std::string own = own_of(here.measures.gauges, there.measures.gauges);
     const std::string other = own_of(there.measures.gauges, here.measures.gauges);
@@ -68,8 +73,7 @@ std::vector<Change> changes(const mpm::Scene& here, const mpm::Scene& there) {
 
 /// What a named material has a value for.
 bool of_material(std::string_view name) {
-  if (const auto* row = mpm::find_quantity(name))
-    return mpm::is_of_material(*row);
+  if (const auto* row = mpm::find_quantity(name)) return mpm::is_of_material(*row);
   const auto* row = mpm::find_choice(name);
   return row && row->section == mpm::Section::material;
 }

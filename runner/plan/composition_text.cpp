@@ -1,5 +1,6 @@
 #include "runner/plan/composition_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -99,6 +100,21 @@ std::string text_of(const mpm::Scene& scene, bool for_key) {
 }
 
 }  // namespace
+
+std::string own_parts(const mpm::Scene& here, const mpm::Scene& there) {
+  const json mine = json::parse(text_of(here, false)), others = json::parse(text_of(there, false));
+  std::string names;
+  const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
+  if (mine.at("low") != others.at("low") || mine.at("high") != others.at("high")) add("box");
+  if (mine.at("faces") != others.at("faces")) add("faces");
+  const auto add_of = [&](const char* list, const std::string& before) {
+    const json theirs = others.value(list, json::array());
+    for (const json& one : mine.value(list, json::array()))
+      if (std::ranges::find(theirs, one) == theirs.end()) add(before + one.at("name").get<std::string>());
+  };
+  add_of("bodies", ""), add_of("materials", "material ");
+  return names.empty() ? "none" : names;
+}
 
 std::string composition_text(const mpm::Scene& scene) { return text_of(scene, false); }
 std::string composition_key(const mpm::Scene& scene) { return text_of(scene, true); }

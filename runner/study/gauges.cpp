@@ -26,8 +26,9 @@ constexpr const char* allowed_reduction =
 
 class GaugeReader {
  public:
-  GaugeReader(const Entry& entry, const Table& table, const Units& units, Mistakes& mistakes)
-      : entry_(entry), table_(table), units_(units), mistakes_(mistakes) {
+  GaugeReader(const Entry& entry, const Table& table, const Units& units, const KnownParameters& known,
+              Mistakes& mistakes)
+      : entry_(entry), table_(table), units_(units), known_(known), mistakes_(mistakes) {
     request_.place = entry.place;
   }
 
@@ -106,10 +107,16 @@ class GaugeReader {
     }
     for (const Value& coordinate : *list) {
       const Number number = read_quantity(coordinate, {"m"}, units_);
-      if (const auto* refusal = std::get_if<Refusal>(&number))
-        mistakes_.add(key, coordinate, *refusal);
-      else
-        request_.gauge.place.push_back(std::get<double>(number) + 0.0);  // -0 is 0
+      std::vector<double>& place = request_.gauge.place;
+      if (const double* si = std::get_if<double>(&number)) {
+        place.push_back(*si + 0.0);  // -0 is 0
+      } else if (const std::string* text = coordinate.string(); text && !names_in(*text).empty()) {
+        if (auto expression = read_expression(key, coordinate, {"m"}, units_, known_, mistakes_))
+          request_.coordinates.emplace(place.size(), std::move(*expression));
+        place.push_back(0);
+      } else {
+        mistakes_.add(key, coordinate, std::get<Refusal>(number));
+      }
     }
   }
 
@@ -174,6 +181,7 @@ class GaugeReader {
   const Entry& entry_;
   const Table& table_;
   const Units& units_;
+  const KnownParameters& known_;
   Mistakes& mistakes_;
   GaugeRequest request_;
 };
@@ -258,10 +266,11 @@ void read_stops(const Table& document, const std::vector<mpm::Space>& spaces, co
                       [](const mpm::Threshold& t) { return std::tuple(t.below, t.value, t.after); });
 }
 
-std::vector<GaugeRequest> read_gauges(const Table& document, const Units& units, Mistakes& mistakes) {
+std::vector<GaugeRequest> read_gauges(const Table& document, const Units& units, const KnownParameters& known,
+                                      Mistakes& mistakes) {
   std::vector<GaugeRequest> gauges;
   for_each_table(document, "gauge", mistakes, [&](const Entry& entry, const Table& table) {
-    GaugeRequest one = GaugeReader(entry, table, units, mistakes).read();
+    GaugeRequest one = GaugeReader(entry, table, units, known, mistakes).read();
     for (const GaugeRequest& other : gauges)
       if (!one.gauge.name.empty() && other.gauge.name == one.gauge.name)
         mistakes.add("name", table.find("name")->value, {"two gauges of one name", "give each its own"});

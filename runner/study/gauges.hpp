@@ -6,6 +6,7 @@
 
 #include "libmpm/scene/gauge.hpp"
 #include "runner/study/mistakes.hpp"
+#include "runner/study/quantity_reader.hpp"
 #include "runner/study/units.hpp"
 
 namespace mpmstudy {
@@ -20,10 +21,11 @@ struct GaugeRequest {
     std::string text;
   };
   std::map<std::string, Written> keys;
+  std::map<std::size_t, Expression> coordinates;  ///< of its place, that are expressions: 0 is x
 };
 
 /// By name: the order in which a file has them is no part of what a job is.
-std::vector<GaugeRequest> read_gauges(const Table& document, const Units&, Mistakes&);
+std::vector<GaugeRequest> read_gauges(const Table& document, const Units&, const KnownParameters&, Mistakes&);
 
 /// [[stop]]: adds to the gauges at what values they end a run. `spaces`: those of the study, one or more.
 void read_stops(const Table& document, const std::vector<mpm::Space>& spaces, const Units&,

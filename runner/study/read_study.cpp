@@ -254,7 +254,7 @@ class Reader {
   }
 
   void read_all_gauges() {
-    request_.gauges = read_gauges(document_, units_, mistakes_);
+    request_.gauges = read_gauges(document_, units_, own_->known(mistakes_), mistakes_);
     read_stops(document_, spaces(), units_, request_.gauges, mistakes_);
     for (const GaugeRequest& one : request_.gauges) study_.gauges.push_back(one.gauge);
     if (request_.gauges.empty()) return;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -180,6 +181,17 @@ bool fits(const Assignment& one, double si, Mistakes& mistakes) {
   return !refusal;
 }
 
+/// Gives a gauge the coordinates that are expressions.
+void place_gauge(const GaugeRequest& request, const ValueOf& value, mpm::Gauge& gauge, Mistakes& mistakes) {
+  for (const auto& [axis, expression] : request.coordinates) {
+    const double si = expression.value(value);
+    if (!std::isfinite(si))
+      mistakes.add(request.place, "gauge." + gauge.name,
+                   {"has a coordinate that is no finite number", "allowed: expressions with a value"});
+    gauge.place[axis] = si + 0.0;  // -0 is 0
+  }
+}
+
 /// The values of parameters in one job.
 class JobValues {
  public:
@@ -254,6 +266,8 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
       if (one.axis->name() == space_name) scene.numerics = mpm::default_numerics(scene.kind, scene.space);
     }
     if (request.bodies) request.bodies->apply(scene, std::cref(value), of_values);
+    for (std::size_t k = 0; k < request.gauges.size(); ++k)
+      place_gauge(request.gauges[k], std::cref(value), scene.measures.gauges[k], of_values);
     if (!of_values.empty()) {
       mistakes.add(of_values);
       ++bad_jobs;

@@ -115,12 +115,31 @@ TEST(Bodies, AreKeptAsText) {
   EXPECT_THROW(set_composition(other, "{}"), std::invalid_argument);
 }
 
+TEST(Bodies, SayInWhichPartsTheyDiffer) {
+  const Study study = study_of(two_bodies);
+  EXPECT_EQ(own_parts(study.scenes[0], study.scenes[0]), "none");
+  EXPECT_EQ(own_parts(study.scenes[0], study.scenes[1]), "ring, material soft");
+  mpm::Scene other = study.scenes[0];
+  other.composition.high[0] *= 2;
+  EXPECT_EQ(own_parts(study.scenes[0], other), "box");
+}
+
 TEST(Bodies, OfAChangedDensityAreWarnedOf) {
   std::string text = two_bodies;
   text.replace(text.find("yield_stress"), 0, "reference_density = \"8000 kg/m3\"\n");
   EXPECT_THAT(study_of(text).warnings,
               testing::Contains(testing::HasSubstr("soft has another reference_density than its base, whose "
                                                    "specific_heat it keeps")));
+}
+
+TEST(OwnParameters, PlaceGauges) {
+  const Study study =
+      study_of(std::string(two_bodies) +
+               "[[gauge]]\nname = \"top\"\nof = \"velocity_y\"\nbeam = [\"block / 2\", \"block + "
+               "1 um\"]\n");
+  const mpm::Gauge& gauge = study.scenes[0].measures.gauges.at(0);
+  EXPECT_NEAR(gauge.place[0], 2e-6, 1e-18);
+  EXPECT_NEAR(gauge.place[1], 5e-6, 1e-18);
 }
 
 TEST(OwnParameters, AreSetOnTheCommandLine) {
