@@ -65,7 +65,7 @@ void BasicHotSpots<axes>::finish(const BasicState<axes>& s, RunResult& result) c
   const std::span<const double> plastic_work = ps.own_values("plastic_work");
   for (std::size_t p = 0; p < ps.size(); ++p) {
     work[p] = plastic_work.empty() ? 0 : plastic_work[p] * ps.density(p);
-    temperature[p] = temperature_(ps.dilation[p], ps.energy[p]);
+    temperature[p] = temperatures_[ps.material_of(p)](ps.dilation[p], ps.energy[p]);
   }
   const Spot<axes> spot = hottest(ps, work);
   result.metrics.push_back(metric(row_of(rows, "hot_spot_work_J_m3"), spot.value));

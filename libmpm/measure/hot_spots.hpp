@@ -1,4 +1,7 @@
 #pragma once
+#include <utility>
+#include <vector>
+
 #include "libmpm/material/eos/temperature.hpp"
 #include "libmpm/measure/measurement.hpp"
 #include "libmpm/measure/results.hpp"
@@ -12,12 +15,13 @@ template <int axes>
 class BasicHotSpots : public BasicMeasurement<axes> {
  public:
   static std::span<const ResultRow> results();
-  explicit BasicHotSpots(Temperature t) : temperature_(t) {}
+  /// One temperature for each material of the scene.
+  explicit BasicHotSpots(std::vector<Temperature> of_materials) : temperatures_(std::move(of_materials)) {}
   void finish(const BasicState<axes>&, RunResult&) const override;
   void carry(Archive&) override {}
 
  private:
-  Temperature temperature_;
+  std::vector<Temperature> temperatures_;
 };
 using HotSpots = BasicHotSpots<2>;
 

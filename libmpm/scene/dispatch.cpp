@@ -90,7 +90,7 @@ std::unique_ptr<BasicStepper<3>> stepper_for<3>(const Scene& s) {
 template <int axes>
 BasicMeasurements<axes> measurements_for(const Scene& s, const BasicState<axes>& state) {
   BasicMeasurements<axes> all = kind_of(s).in<axes>().measurements(s, state);
-  all.push_back(std::make_unique<BasicHotSpots<axes>>(Temperature(s.material)));
+  all.push_back(std::make_unique<BasicHotSpots<axes>>(temperatures_of(s)));
   if (!s.measures.gauges.empty()) all.push_back(std::make_unique<BasicGauges<axes>>(s, state));
   return all;
 }

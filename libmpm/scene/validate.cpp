@@ -125,7 +125,8 @@ void check_size(const Scene& s, Report& report) {
 
 void check_length(const Scene& s, Report& report) {
   constexpr double most_steps = 1e9, most_samples = 1e6;
-  const double steps = s.end_time * sound_speed_at_rest(s.material) / (s.numerics.cfl * s.numerics.cell_size);
+  const double steps =
+      s.end_time * largest_of(s, sound_speed_at_rest) / (s.numerics.cfl * s.numerics.cell_size);
   report.require(steps <= most_steps, "end_time",
                  "short enough for at most 1e9 steps (these would be " + text_of(steps) + " or more)");
   report.require(s.measures.area_every * most_samples >= s.end_time, "area_every",
@@ -270,13 +271,13 @@ double update_cost(Space space, Kernel kernel) {
 
 Estimate estimate(const Scene& s) {
   const Lattices lattice = axes_of(s.space) == 2 ? lattice_numbers<2>(s) : lattice_numbers<3>(s);
-  const Material& m = s.material;
-  const double sound = sound_speed_at_rest(m);
+  const double sound = largest_of(s, sound_speed_at_rest);
+  const double slope = largest_of(s, [](const Material& m) { return m.hugoniot_slope; });
   // Behind the shock sound is faster by about 2 lambda u, and the body moves. Some material is always being
   // compressed, so that the viscous signal Q + sqrt(Q^2 + c^2), Q = q1 c, decides the step.
   const double q = s.numerics.linear_viscosity;
   const double signal =
-      (q + std::sqrt(q * q + 1)) * (sound + 2 * m.hugoniot_slope * initial_speed(s)) + initial_speed(s);
+      (q + std::sqrt(q * q + 1)) * (sound + 2 * slope * initial_speed(s)) + initial_speed(s);
   const double step = s.numerics.cfl * lattice.smallest_cell / signal;
   // Samples are hit exactly, by a whole number of steps from one to the next.
   const double samples = s.end_time / s.measures.area_every;

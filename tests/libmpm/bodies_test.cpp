@@ -115,6 +115,20 @@ TEST(Bodies, TwoBodiesWrittenOutAreTheSame) {
     EXPECT_NEAR(other.find(name)->value / one.find(name)->value, 1, 1e-6) << name;
 }
 
+// The temperature of a particle is that of its own material.
+TEST(Bodies, AreAsHotAsTheirOwnMaterialSays) {
+  mpm::Scene s = boxed(scenes::cavity(0.2e-6));
+  s.composition.high = {2e-6, 4e-6, 0};
+  s.other_materials = {mpm::named_material("tungsten")};
+  s.other_materials[0].initial_temperature =
+      500;  // the whole body is hotter than all that a weak shock heats
+  s.composition.bodies = {{"cold", block({0, 0, 0}, {2e-6, 2e-6, 0}), 0, {0, -20, 0}},
+                          {"hot", block({0, 2e-6, 0}, {2e-6, 4e-6, 0}), 1, {0, -20, 0}}};
+  s.end_time = 0.2e-9;
+  s.measures.area_every = s.end_time / 20;
+  EXPECT_NEAR(mpm::run(s).find("hot_spot_temperature_K")->value, 500, 5);
+}
+
 /// A ball that flies to the right.
 mpm::Scene flight(mpm::Kernel kernel) {
   mpm::Scene s = boxed(scenes::cavity(0.2e-6));

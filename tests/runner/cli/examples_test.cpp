@@ -29,6 +29,8 @@ struct Example {
   int own;  ///< parameters
 };
 
+void PrintTo(const Example& e, std::ostream* out) { *out << e.name; }
+
 class Examples : public testing::TestWithParam<Example> {
  protected:
   /// Runs the program; its exit code.
