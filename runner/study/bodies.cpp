@@ -46,6 +46,40 @@ const std::string* text_at(const Table& table, std::string_view key) {
   return entry ? entry->value.string() : nullptr;
 }
 
+/// All of a [[body]] but its material. Empty after adding mistakes about its keys or its name.
+std::optional<mpm::ComposedBody> read_body(const Value& one, const BodyContext& context) {
+  Mistakes& mistakes = context.mistakes;
+  const Table* table = one.table();
+  if (!table || !check_words(*table, "body", body_keys, mistakes)) return std::nullopt;
+  mpm::ComposedBody body;
+  const Entry *name = table->find("name"), *shape = table->find("shape");
+  if (!name || !name->value.string() || name->value.string()->empty()) {
+    mistakes.add(name ? name->value.place : one.place, "body.name",
+                 {name ? "not a name" : "missing", "allowed: a text such as \"flyer\""});
+    return std::nullopt;
+  }
+  body.name = *name->value.string();
+  if (body.name == "all")
+    mistakes.add("body.name", name->value, {"is kept for gauges of all bodies", "allowed: another name"});
+  if (shape) {
+    if (auto read = read_shape(*shape, context)) body.shape = std::move(*read);
+  } else {
+    mistakes.add(one.place, "body.shape", {"missing", "[[body]] needs shape = { ... }"});
+  }
+  if (const Entry* velocity = table->find("velocity"))
+    body.velocity = context.vector("body.velocity", velocity->value, "m/s").value_or(mpm::Triple{});
+  const Entry *spin = table->find("angular_velocity"), *about = table->find("about");
+  if (!spin != !about)
+    mistakes.add(
+        one.place, spin ? "body.about" : "body.angular_velocity",
+        {"missing", "a body that turns has angular_velocity and about, the point that it turns about"});
+  if (spin && about) {
+    body.spin = context.number("body.angular_velocity", spin->value, {"rad/s", mpm::Range::any}).value_or(0);
+    body.about = context.vector("body.about", about->value, "m").value_or(mpm::Triple{});
+  }
+  return body;
+}
+
 }  // namespace
 
 BodiesReader::BodiesReader(const Table& document, const Units& units, KnownParameters known)
@@ -210,51 +244,22 @@ void BodiesReader::apply(mpm::Scene& scene, const ValueOf& value, Mistakes& mist
   std::vector<mpm::Material> materials;
   if (uses_study_material()) names.emplace_back(), materials.push_back(scene.material);
   for (const Value& one : bodies()) {
-    const Table* table = one.table();
-    if (!table) continue;
-    if (!check_words(*table, "body", body_keys, mistakes)) continue;
-    mpm::ComposedBody body;
-    const Entry *name = table->find("name"), *shape = table->find("shape"),
-                *material = table->find("material");
-    if (!name || !name->value.string() || name->value.string()->empty()) {
-      mistakes.add(name ? name->value.place : one.place, "body.name",
-                   {name ? "not a name" : "missing", "allowed: a text such as \"flyer\""});
-      continue;
-    }
-    body.name = *name->value.string();
-    if (body.name == "all")
-      mistakes.add("body.name", name->value, {"is kept for gauges of all bodies", "allowed: another name"});
-    if (shape) {
-      if (auto read = read_shape(*shape, context)) body.shape = std::move(*read);
-    } else {
-      mistakes.add(one.place, "body.shape", {"missing", "[[body]] needs shape = { ... }"});
-    }
-    if (const Entry* velocity = table->find("velocity"))
-      body.velocity = context.vector("body.velocity", velocity->value, "m/s").value_or(mpm::Triple{});
-    const Entry *spin = table->find("angular_velocity"), *about = table->find("about");
-    if (!spin != !about)
-      mistakes.add(
-          one.place, spin ? "body.about" : "body.angular_velocity",
-          {"missing", "a body that turns has angular_velocity and about, the point that it turns about"});
-    if (spin && about) {
-      body.spin =
-          context.number("body.angular_velocity", spin->value, {"rad/s", mpm::Range::any}).value_or(0);
-      body.about = context.vector("body.about", about->value, "m").value_or(mpm::Triple{});
-    }
-    if (material) {
+    std::optional<mpm::ComposedBody> body = read_body(one, context);
+    if (!body) continue;
+    if (const Entry* material = one.table()->find("material")) {
       const std::string* word = material->value.string();
       if (!word || std::ranges::find(known, *word) == known.end()) {
         mistakes.add("body.material", material->value, unknown_word(word ? *word : "", "material", known));
         continue;
       }
       const auto found = std::ranges::find(names, *word);
-      body.material = static_cast<std::size_t>(found - names.begin());
+      body->material = static_cast<std::size_t>(found - names.begin());
       if (found == names.end()) {
         names.push_back(*word);
         materials.push_back(read_material(scene, *word, value, mistakes).value_or(mpm::Material{}));
       }
     }
-    scene.composition.bodies.push_back(std::move(body));
+    scene.composition.bodies.push_back(std::move(*body));
   }
   if (const Table* of_file = table_at(document_, materials_table))
     for (const Entry& one : of_file->entries)
