@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace mpm {
@@ -243,28 +244,39 @@ BasicRegion<3> cylinder(const Vec3& from, const Vec3& to, double radius) {
           }};
 }
 
+/// Regions made of two share them: a copy of one would copy both parts twice, and so on for their parts.
 template <int axes>
-BasicRegion<axes> operator-(BasicRegion<axes> a, BasicRegion<axes> b) {
-  return {a.low, a.high,
+BasicRegion<axes> operator-(BasicRegion<axes> first, BasicRegion<axes> second) {
+  const Vec<axes> low = first.low, high = first.high;
+  const auto a = std::make_shared<const BasicRegion<axes>>(std::move(first));
+  const auto b = std::make_shared<const BasicRegion<axes>>(std::move(second));
+  return {low, high,
           [a, b](const Vec<axes>& center, double radius) {
-            const Share in = a.share_of_ball(center, radius), out = b.share_of_ball(center, radius);
-            if (in == Share::none || out == Share::all) return Share::none;
+            const Share in = a->share_of_ball(center, radius);
+            if (in == Share::none) return Share::none;
+            const Share out = b->share_of_ball(center, radius);
+            if (out == Share::all) return Share::none;
             return in == Share::all && out == Share::none ? Share::all : Share::part;
           },
-          [a, b](const LineAt<axes>& at, Intervals& all) { subtract(cut_of(a, at), cut_of(b, at), all); }};
+          [a, b](const LineAt<axes>& at, Intervals& all) { subtract(cut_of(*a, at), cut_of(*b, at), all); }};
 }
 
 template <int axes>
-BasicRegion<axes> operator|(BasicRegion<axes> a, BasicRegion<axes> b) {
-  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high),
+BasicRegion<axes> operator|(BasicRegion<axes> first, BasicRegion<axes> second) {
+  const Vec<axes> low = first.low.cwiseMin(second.low), high = first.high.cwiseMax(second.high);
+  const auto a = std::make_shared<const BasicRegion<axes>>(std::move(first));
+  const auto b = std::make_shared<const BasicRegion<axes>>(std::move(second));
+  return {low, high,
           [a, b](const Vec<axes>& center, double radius) {
-            const Share in_a = a.share_of_ball(center, radius), in_b = b.share_of_ball(center, radius);
-            if (in_a == Share::all || in_b == Share::all) return Share::all;
+            const Share in_a = a->share_of_ball(center, radius);
+            if (in_a == Share::all) return Share::all;
+            const Share in_b = b->share_of_ball(center, radius);
+            if (in_b == Share::all) return Share::all;
             return in_a == Share::none && in_b == Share::none ? Share::none : Share::part;
           },
           [a, b](const LineAt<axes>& at, Intervals& all) {
-            Intervals both = cut_of(a, at);
-            b.cut(at, both);
+            Intervals both = cut_of(*a, at);
+            b->cut(at, both);
             unite(std::move(both), all);
           }};
 }

@@ -105,17 +105,24 @@ Shape moved(Shape part, const Shape& whole) {
   return part;
 }
 
+/// Parts [first, last), halved again and again: of many parts no chain of calls gets long.
+template <int axes>
+BasicRegion<axes> united(const Shape& whole, std::size_t first, std::size_t last) {
+  if (last - first == 1) return region_of<axes>(moved(whole.parts[first], whole));
+  const std::size_t middle = (first + last) / 2;
+  return united<axes>(whole, first, middle) | united<axes>(whole, middle, last);
+}
+
 }  // namespace
 
 template <int axes>
 BasicRegion<axes> region_of(const Shape& shape) {
   if (shape.parts.empty()) return primitive<axes>(shape);
+  if (shape.form == Shape::Form::together) return united<axes>(shape, 0, shape.parts.size());
   BasicRegion<axes> region = region_of<axes>(moved(shape.parts.front(), shape));
   for (std::size_t k = 1; k < shape.parts.size(); ++k) {
     BasicRegion<axes> part = region_of<axes>(moved(shape.parts[k], shape));
-    if (shape.form == Shape::Form::together)
-      region = std::move(region) | std::move(part);
-    else if (shape.form == Shape::Form::difference)
+    if (shape.form == Shape::Form::difference)
       region = std::move(region) - std::move(part);
     else
       region = std::move(region) & std::move(part);

@@ -17,6 +17,7 @@
 #include "runner/finish/labels.hpp"
 #include "runner/finish/study_results.hpp"
 #include "runner/status/label.hpp"
+#include "runner/study/gauges.hpp"
 #include "runner/study/parameter_value.hpp"
 
 namespace mpmstudy {
@@ -130,7 +131,10 @@ std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<st
       errors.push_back(row.results[at].error);
     }
     const std::string& name = results[at];
-    const std::string unit = unit_of(folder, name);
+    std::vector<const mpm::Scene*> scenes;
+    for (const mpm::Scene& scene : study.scenes) scenes.push_back(&scene);
+    const std::string of_gauge = unit_of_gauge(scenes, name);
+    const std::string unit = of_gauge.empty() ? unit_of(folder, name) : of_gauge;
     TextColumn column{std::string(analysis::without_unit(name, unit)), "", {}, false};
     fill(column, values, study, "", unit);
     if (is_of_the_final_area(name)) mark_flagged(column, rows);
@@ -203,7 +207,7 @@ std::string fits_text(const Study& study, const std::filesystem::path& results) 
   const StudyResults read = read_results(study, results);
   std::string text;
   for (const FitRequest& request : study.fits) {
-    const auto x = label_of(request.x, quantity_unit(study, request.x));
+    const auto x = label_of_parameter(study, request.x);
     const auto y = label_of(request.y, unit_of(read, request.y));
     for (const Group& group : group_jobs(study, read, curve_of(study, request.x, request.y))) {
       const Column c = column_of(read, group, request.x, request.y);

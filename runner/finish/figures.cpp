@@ -119,7 +119,7 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   plot.kind = analysis::Plot::Kind::xy;
   plot.title = request.title;
   plot.footer = footer_of(study, results);
-  plot.x = label_of(request.x, quantity_unit(study, request.x));
+  plot.x = label_of_parameter(study, request.x);
   plot.y = results.critical && critical_result(request.y) ? critical_label(*results.critical)
                                                           : label_of(request.y, unit_of(results, request.y));
   const auto groups = group_jobs(study, results, curve_of(study, request.x, request.y));

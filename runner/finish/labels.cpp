@@ -1,10 +1,13 @@
 #include "runner/finish/labels.hpp"
 
+#include <algorithm>
+
 #include "libmpm/io/fields.hpp"
 #include "libmpm/measure/results.hpp"
 #include "libmpm/scene/gauge.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "libmpm/scene/physics_version.hpp"
+#include "runner/study/parameter_value.hpp"
 
 namespace mpmstudy {
 
@@ -19,6 +22,12 @@ analysis::QuantityLabel label_of(std::string_view name, std::string_view unit_if
   if (name == "time") return {"Time", "t", "s"};
   if (name == "area") return {"Cavity area", "A", "m^2"};
   return analysis::quantity_label(name, unit_if_unknown);
+}
+
+analysis::QuantityLabel label_of_parameter(const Study& study, const std::string& name) {
+  const auto own = std::ranges::find(study.own, name, &OwnParameter::name);
+  if (own != study.own.end()) return {name, "", own->unit};
+  return label_of(name, quantity_unit(study, name));
 }
 
 std::set<int> physics_versions_of(const Study& study) {

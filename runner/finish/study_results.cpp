@@ -18,6 +18,7 @@
 #include "runner/plan/plan.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/decimal.hpp"
+#include "runner/study/gauges.hpp"
 #include "runner/study/parameter_value.hpp"
 #include "runner/study/searched.hpp"
 
@@ -50,7 +51,6 @@ SweptValues swept_values(const Study& study, const std::string& name, const std:
   }
   const mpm::Quantity* q = mpm::find_quantity(name);
   swept.column = q ? q->column : name;
-  const std::string unit = quantity_unit(study, name);
   std::vector<double> distinct, values;
   for (const JobResults& job : jobs) {
     const double value = quantity_value(job.scene, name).value_or(0);
@@ -61,7 +61,7 @@ SweptValues swept_values(const Study& study, const std::string& name, const std:
     values.push_back(distinct[swept.which.back()]);
     swept.json.push_back(without_rounding(values.back()));
   }
-  swept.labels = analysis::value_labels(label_of(name, unit), values);
+  swept.labels = analysis::value_labels(label_of_parameter(study, name), values);
   return swept;
 }
 
@@ -194,7 +194,10 @@ std::string unit_of(const StudyResults& results, const std::string& name) {
   if (results.critical && critical_result(name)) return std::string(results.critical->unit);
   if (const mpm::ResultRow* row = mpm::find_result(name))
     return row->column ? analysis::with_powers(row->unit) : std::string(row->unit);
-  return unit_of_metric(results.folder, name);
+  std::vector<const mpm::Scene*> scenes;
+  for (const JobResults& job : results.done) scenes.push_back(&job.scene);
+  const std::string of_gauge = unit_of_gauge(scenes, name);
+  return of_gauge.empty() ? unit_of_metric(results.folder, name) : of_gauge;
 }
 
 mpm::History history_of(const StudyResults& results, const JobResults& job, const std::string& gauge) {

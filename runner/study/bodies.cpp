@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "libmpm/scene/effect.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "runner/study/schema.hpp"
 #include "runner/study/shapes.hpp"
@@ -184,6 +185,18 @@ std::optional<mpm::Material> BodiesReader::read_material(const mpm::Scene& scene
     } else {
       row.set(of, static_cast<std::size_t>(found - row.allowed.begin()));
     }
+  }
+  std::string missing;
+  for (const mpm::Quantity& row : mpm::quantities()) {
+    const mpm::Condition* condition = mpm::condition_of(row.name);
+    if (mpm::is_of_material(row) && !row.derived && !row.implied && !table->find(row.name) &&
+        (!condition || condition->holds(of)))
+      missing += (missing.empty() ? "" : ", ") + std::string(row.name);
+  }
+  if (!table->find("base") && !missing.empty()) {
+    mistakes.add(entry->place, what,
+                 {"has no base and lacks " + missing, "allowed: base = \"...\", or all constants"});
+    return std::nullopt;
   }
   of.material.name = name;
   return good ? std::optional(of.material) : std::nullopt;

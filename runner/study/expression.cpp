@@ -183,7 +183,8 @@ struct Expression::Parsed {
       const double before = sample(which, k, 1);
       if (!std::isfinite(before) || before == 0) continue;
       is_zero = false;
-      for (const double factor : {3.0, 0.7}) {
+      // the large ones turn comparisons of different things
+      for (const double factor : {3.0, 0.7, 1e9, 1e-9}) {
         const double ratio = sample(which, k, factor) / before;
         const double power = std::log(ratio) / std::log(factor);
         if (!(ratio > 0) || std::abs(power - std::round(power)) > 1e-6) return std::nullopt;
@@ -238,6 +239,13 @@ std::variant<Expression, ExpressionRefusal> Expression::read(std::string_view te
       parsed->parameters.push_back({name, *dimension, 1});
     }
   }
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const auto is = [&](std::size_t k, std::string_view any) {
+      return k < text.size() && any.find(text[k]) != any.npos;
+    };
+    if (text[at] == '=' && !is(at + 1, "=") && !(at > 0 && is(at - 1, "=<>!")))
+      return ExpressionRefusal{{"an expression gives nothing a value", "allowed: == for a comparison"}, at};
+  }
   mu::Parser& parser = parsed->parser;
   constexpr const char* characters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ@";
   try {
@@ -250,7 +258,11 @@ std::variant<Expression, ExpressionRefusal> Expression::read(std::string_view te
     }
     for (Parsed::Parameter& p : parsed->parameters) parser.DefineVar(p.name, &p.now);
     parser.SetExpr(to_parse);
-    parser.Eval();
+    int values = 0;
+    parser.Eval(values);
+    if (values != 1)
+      return ExpressionRefusal{
+          {"more than one value", "allowed: commas between arguments of a function only"}, text.find(',')};
   } catch (const mu::Parser::exception_type& error) {
     const auto at = static_cast<std::size_t>(std::max(error.GetPos(), 0));
     return ExpressionRefusal{{"not an expression: " + error.GetMsg(),

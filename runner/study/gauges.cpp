@@ -280,6 +280,19 @@ std::vector<GaugeRequest> read_gauges(const Table& document, const Units& units,
   return gauges;
 }
 
+std::string unit_of_gauge(const std::vector<const mpm::Scene*>& scenes, const std::string& metric) {
+  std::vector<std::string> units;
+  for (const mpm::Scene* scene : scenes)
+    for (const mpm::Gauge& gauge : scene->measures.gauges) {
+      if (!metric.starts_with(gauge.name + ".")) continue;
+      const std::string unit(mpm::unit_of_metric(gauge, metric, scene->space));
+      if (std::ranges::find(units, unit) == units.end()) units.push_back(unit);
+    }
+  std::string text;
+  for (const std::string& unit : units) text += (text.empty() ? "" : " or ") + unit;
+  return text;
+}
+
 std::vector<std::string> metrics_of(const std::vector<mpm::Gauge>& gauges) {
   std::vector<std::string> names;
   for (const mpm::Gauge& gauge : gauges)

@@ -31,6 +31,10 @@ std::vector<GaugeRequest> read_gauges(const Table& document, const Units&, const
 void read_stops(const Table& document, const std::vector<mpm::Space>& spaces, const Units&,
                 std::vector<GaugeRequest>&, Mistakes&);
 
+/// The unit of a number of a gauge in these scenes, by their own gauges: another study may have one of that
+/// name. "kg/m or kg/rad" where their spaces differ; "": they have no such gauge.
+std::string unit_of_gauge(const std::vector<const mpm::Scene*>&, const std::string& metric);
+
 /// "rear.max", ...: all that the gauges of a study come to.
 std::vector<std::string> metrics_of(const std::vector<mpm::Gauge>&);
 

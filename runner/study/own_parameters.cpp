@@ -14,13 +14,21 @@ bool may_have_expressions(std::string_view table) {
   return std::ranges::find(without, table) == std::end(without);
 }
 
+/// Keys whose text is a name or a word, and no expression.
+bool is_word(std::string_view key) {
+  constexpr std::string_view words[] = {"name", "title", "material", "base", "axis", "unit",
+                                        "of",   "body",  "wall",     "when", "kind"};
+  return std::ranges::find(words, key) != std::end(words) || mpm::find_choice(key);
+}
+
 void add_names(const Value& value, std::set<std::string>& names) {
   if (const std::string* text = value.string())
     for (std::string& name : names_in(*text)) names.insert(std::move(name));
   if (const List* list = value.list())
     for (const Value& one : *list) add_names(one, names);
   if (const Table* table = value.table())
-    for (const Entry& one : table->entries) add_names(one.value, names);
+    for (const Entry& one : table->entries)
+      if (!is_word(one.key)) add_names(one.value, names);
 }
 
 const Table* parameters_of(const Table& document) {

@@ -113,6 +113,12 @@ class Reader {
     if (bodies_ && !bodies_->uses_study_material()) {
       const Entry* of_study = document_.find(table_name(mpm::Section::material));
       if (!entry) entry = of_study;
+      for (const mpm::Quantity& row : mpm::quantities())
+        if (const Entry* constant = parameters ? parameters->find(row.name) : nullptr;
+            constant && mpm::is_of_material(row))
+          mistakes_.add(constant->key, constant->value,
+                        {"is of the study's own material, and no body is of it",
+                         "say it in [materials.NAME], or leave material out of a [[body]]"});
       if (entry)
         mistakes_.add(entry->place, "material",
                       {"no body is of it", "remove it, or leave material out of a [[body]]"});
@@ -194,7 +200,7 @@ class Reader {
     if (!axis) return;
     const bool scaled = entry.key == "cell_size" && options_.cells != 1;
     if (scaled) scale_cells(*axis);
-    if (!axis->swept && entry.place.line > 0) fixed_.push_back(entry.key);
+    if (!axis->swept && !axis->expression && entry.place.line > 0) fixed_.push_back(entry.key);
     if (axis->own) {
       if (auto unit = written_unit(entry.value, axis->quantity->unit, units_))
         study_.units[entry.key] = std::move(*unit);

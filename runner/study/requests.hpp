@@ -23,7 +23,7 @@ struct RequestContext {
   std::string critical;                         ///< what its [search] looks for; "": it has none
   std::vector<std::string> gauges = {};         ///< names
   std::vector<std::string> gauge_results = {};  ///< all that they come to: "rear.max"
-  std::vector<OwnParameter> own = {};            ///< of the study
+  std::vector<OwnParameter> own = {};           ///< of the study
 
   /// Whether the study has a quantity, by its own name or by the other one of the same degree of freedom.
   bool says(std::string_view quantity) const;

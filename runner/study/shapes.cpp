@@ -195,6 +195,23 @@ Shape tube(Parts& p) {
   return rod(p, inner, outer);
 }
 
+double turn_of(const double* a, const double* b, const double* c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+/// Whether two edges of a polygon cross. Corners as x, y in turn.
+bool crosses_itself(const std::vector<double>& corners) {
+  const std::size_t n = corners.size() / 2;
+  const auto at = [&](std::size_t k) { return &corners[2 * (k % n)]; };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = i + 2; k < n; ++k) {
+      if (i == 0 && k == n - 1) continue;  // neighbours
+      const bool apart = turn_of(at(i), at(i + 1), at(k)) * turn_of(at(i), at(i + 1), at(k + 1)) >= 0 ||
+                         turn_of(at(k), at(k + 1), at(i)) * turn_of(at(k), at(k + 1), at(i + 1)) >= 0;
+      if (!apart) return true;
+    }
+  return false;
+}
+
 Shape polygon(Parts& p) {
   const Value* corners = p.find("corners");
   const List* list = corners ? corners->list() : nullptr;
@@ -209,6 +226,8 @@ Shape polygon(Parts& p) {
       p.numbers.insert(p.numbers.end(), {(*point)[0], (*point)[1]});
     else
       p.refuse("corners", {"cannot be read", "allowed: corners [x, y]"});
+  if (crosses_itself(p.numbers))
+    p.refuse("corners", {"crosses itself", "allowed: edges that do not cross; join polygons with union"});
   return plain(Shape::Form::polygon, p);
 }
 
@@ -326,6 +345,14 @@ bool turn(Shape& shape, const Entry& entry, const BodyContext& context) {
   return true;
 }
 
+/// Whether a shape is a part of the half plane of axisymmetry wherever it is put.
+bool is_of_meridian(const Table& shape) {
+  return std::ranges::any_of(shape.entries, [](const Entry& one) {
+    return one.key == "disc" || one.key == "ring" || one.key == "ellipse" || one.key == "polygon" ||
+           one.key == "half_space";
+  });
+}
+
 }  // namespace
 
 std::optional<mpm::Shape> read_shape(const Entry& entry, const BodyContext& context) {
@@ -365,10 +392,23 @@ std::optional<mpm::Shape> read_shape(const Entry& entry, const BodyContext& cont
     good = false;
   }
   if (!good || !shape) return std::nullopt;
-  if (const Entry* rotate = table->find("rotate")) good = turn(*shape, *rotate, context);
+  // what is round about the axis stays there
+  const bool is_about_axis = context.space == Space::axisymmetric && !is_of_meridian(*table);
+  const Refusal off_axis{
+      "takes a shape off the axis",
+      "allowed when space is \"axisymmetric\": disc, ring, ellipse, polygon and half_space turn and "
+      "move; others move along y"};
+  if (const Entry* rotate = table->find("rotate")) {
+    if (is_about_axis) context.mistakes.add("shape.rotate", rotate->value, off_axis);
+    good = turn(*shape, *rotate, context) && !is_about_axis;
+  }
   if (const Entry* translate = table->find("translate")) {
     const auto way = context.vector("shape.translate", translate->value, "m");
     good = good && way;
+    if (way && (*way)[0] != 0 && is_about_axis) {
+      context.mistakes.add("shape.translate", translate->value, off_axis);
+      good = false;
+    }
     for (std::size_t k = 0; k < 3 && way; ++k) shape->shift[k] += (*way)[k];
   }
   return good ? shape : std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
+#include "libmpm/scene/region_of.hpp"
 #include "libmpm/simulation.hpp"
 #include "tests/libmpm/scenes.hpp"
 
@@ -185,6 +186,19 @@ TEST(Bodies, TurnAsTheirSpinSays) {
     EXPECT_NEAR(state.particles.velocity[p].x(), 500 - 1e7 * arm.y(), 1e-9);
     EXPECT_NEAR(state.particles.velocity[p].y(), 1e7 * arm.x(), 1e-9);
   }
+}
+
+// Regions that are made of regions share them: neither depth nor number makes them slow or large.
+TEST(Bodies, MayBeOfManyParts) {
+  Shape deep = ball({0, 0, 0}, 1);
+  for (int depth = 0; depth < 60; ++depth)
+    deep = {Shape::Form::together, {}, {std::move(deep), ball({0, 0, 0}, 1)}};
+  EXPECT_EQ(mpm::region_of<2>(deep).share_of_ball({0, 0}, 0.5), mpm::Share::all);
+  Shape wide{Shape::Form::together, {}, {}};
+  for (int k = 0; k < 3000; ++k) wide.parts.push_back(ball({3.0 * k, 0, 0}, 1));
+  const auto region = mpm::region_of<2>(wide);
+  EXPECT_EQ(region.share_of_ball({3.0 * 2999, 0}, 0.5), mpm::Share::all);
+  EXPECT_EQ(region.high.x(), 3.0 * 2999 + 1);
 }
 
 /// "parameter = value: must be allowed" of all that is wrong.

@@ -90,6 +90,9 @@ TEST(Expression, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(refused("height * (2"), testing::HasSubstr("not an expression: "));
   EXPECT_THAT(refused("height +"), testing::HasSubstr("not an expression: "));
   EXPECT_THAT(refused("height + 20 degC"), testing::HasSubstr("zero point"));
+  EXPECT_THAT(refused("radius > 1e-7 s ? radius : 2 * radius"), testing::HasSubstr("different units"));
+  EXPECT_THAT(refused("radius = 2 um"), testing::StartsWith("7: an expression gives nothing a value"));
+  EXPECT_THAT(refused("radius, 2 * radius"), testing::StartsWith("6: more than one value"));
   EXPECT_THAT(refused("sin(height)"), testing::HasSubstr("different units"));
 }
 

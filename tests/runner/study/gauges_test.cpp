@@ -151,5 +151,23 @@ TEST(GaugesOfAStudy, MayBeWhatAnAccuracyIsOf) {
   }
 }
 
+// Units are of the study's own gauges: another study may have one of that name.
+TEST(Gauges, HaveTheUnitsOfTheirOwnScenes) {
+  mpm::Scene speed, mass, of_axis;
+  mpm::Gauge gauge;
+  gauge.name = "g";
+  gauge.target = mpm::GaugeTarget::body;
+  gauge.body = "all";
+  gauge.of = "velocity_y";
+  speed.measures.gauges = {gauge};
+  gauge.of = "mass";
+  mass.measures.gauges = of_axis.measures.gauges = {gauge};
+  of_axis.space = mpm::Space::axisymmetric;
+  EXPECT_EQ(unit_of_gauge({&speed}, "g.max"), "m/s");
+  EXPECT_EQ(unit_of_gauge({&mass}, "g.max"), "kg/m");
+  EXPECT_EQ(unit_of_gauge({&mass, &of_axis}, "g.max"), "kg/m or kg/rad");
+  EXPECT_EQ(unit_of_gauge({&mass}, "h.max"), "");
+}
+
 }  // namespace
 }  // namespace mpmstudy
