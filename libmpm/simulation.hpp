@@ -30,9 +30,9 @@ class BasicSimulation {
   /// space where it has not these axes.
   explicit BasicSimulation(const Scene&);
   /// A body of one's own (body/fill.hpp makes them), and no measurements but the balance and the health of
-  /// the run, and the scene's gauges. Of the scene it takes material, numerics, measures and end time. Throws InputError naming what
-  /// is wrong with these, or with the body. Columns of the body that are empty though the scene has them
-  /// (velocity gradient, back stress) begin at zero.
+  /// the run, and the scene's gauges. Of the scene it takes material, numerics, measures and end time. Throws
+  /// InputError naming what is wrong with these, or with the body. Columns of the body that are empty though
+  /// the scene has them (velocity gradient, back stress) begin at zero.
   BasicSimulation(const Scene&, State body);
   ~BasicSimulation();
   BasicSimulation(BasicSimulation&&) noexcept;

@@ -15,8 +15,8 @@ std::string composition_key(const mpm::Scene&);
 /// Gives the scene what composition_text() had. Throws std::invalid_argument where the text is none of those.
 void set_composition(mpm::Scene&, const std::string& text);
 
-/// Parts of the composition of `here` that `there` has not, or has in another form: "box, bar, material soft";
-/// "none". Of two scenes that have one.
+/// Parts of the composition of `here` that `there` has not, or has in another form: "box, bar, material
+/// soft"; "none". Of two scenes that have one.
 std::string own_parts(const mpm::Scene& here, const mpm::Scene& there);
 
 }  // namespace mpmstudy

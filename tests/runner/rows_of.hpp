@@ -18,8 +18,8 @@ inline std::string rows_of(const std::filesystem::path& results) {
   std::string text;
   for (const char* rows :
        {"jobs ORDER BY study, key", "metrics ORDER BY key, name", "area_history ORDER BY key, time_s",
-        "history ORDER BY key, name, time_s",
-        "snapshots ORDER BY key, path", "fits ORDER BY study, quantity, against, model, coefficient"}) {
+        "history ORDER BY key, name, time_s", "snapshots ORDER BY key, path",
+        "fits ORDER BY study, quantity, against, model, coefficient"}) {
     const auto table = query(results, std::string("SELECT * FROM ") + rows);
     for (const auto& row : table.rows)
       for (std::size_t i = 0; i < row.size(); ++i) {
