@@ -93,6 +93,9 @@ std::string place_of(const std::optional<Wanted>& wanted, std::string_view name)
     const auto other = std::ranges::find(given, row->alternative);
     if (other != given.end()) return wanted->study.places[static_cast<std::size_t>(other - given.begin())];
   }
+  if (const auto own = std::ranges::find(wanted->study.own, name, &OwnParameter::name);
+      own != wanted->study.own.end())
+    return own->place;
   if (name == "cell_size" && !wanted->study.ladder_place.empty()) return wanted->study.ladder_place;
   if (of_material(name) && !wanted->study.material_place.empty())
     return wanted->study.material_place + ", of the material";

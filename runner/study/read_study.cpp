@@ -204,7 +204,7 @@ class Reader {
     if (axis->own) {
       if (auto unit = written_unit(entry.value, axis->quantity->unit, units_))
         study_.units[entry.key] = std::move(*unit);
-      study_.own.push_back({entry.key, std::string(axis->quantity->unit)});
+      study_.own.push_back({entry.key, std::string(axis->quantity->unit), entry.value.place.text()});
       said_.push_back(entry.key);
       request_.axes.push_back(std::move(*axis));
       return;

@@ -74,7 +74,8 @@ using WrittenUnits = std::map<std::string, WrittenUnit>;  ///< by name of the qu
 /// A parameter that the study has a name for and no table has (Scene::labels has its value in each job).
 struct OwnParameter {
   std::string name;
-  std::string unit;  ///< SI
+  std::string unit;   ///< SI
+  std::string place;  ///< where it is said: "studies/a.toml:12:16"
 };
 
 struct Study {

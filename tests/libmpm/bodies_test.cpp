@@ -165,6 +165,18 @@ TEST(Bodies, EndARunWhereTheyReachAnOpenFace) {
     }
 }
 
+// A plan warns of what the cells do not show.
+TEST(Bodies, HaveThinParts) {
+  mpm::Scene s = flight(mpm::Kernel::fast);
+  EXPECT_TRUE(mpm::thin_parts(s).empty());
+  s.composition.bodies[0].shape = minus(ball({2e-6, 2e-6, 0}, 1e-6), ball({2e-6, 2e-6, 0}, 0.9e-6));
+  ASSERT_EQ(mpm::thin_parts(s).size(), 1u);
+  EXPECT_NEAR(mpm::thin_parts(s)[0].size, 0.1e-6, 1e-18);
+  s.composition.bodies[0].shape =
+      minus(ball({2e-6, 2e-6, 0}, 1e-6), block({1.9e-6, 0, 0}, {2.1e-6, 9e-6, 0}));
+  EXPECT_NEAR(mpm::thin_parts(s).at(0).cells, 1, 1e-9);
+}
+
 // Figures show the image of a half.
 TEST(Bodies, AreHalfOfASceneBesideAMirrorAtZero) {
   const auto is_half = [](const mpm::Scene& s) { return mpm::kind_of(s).is_half(s); };

@@ -242,6 +242,18 @@ double fastest(const Scene& s) {
   return most;
 }
 
+/// The wall of a ring, a shell or a tube, which is one round shape without another that differs in its radius
+/// alone [m]; empty: it is none.
+std::optional<double> wall_of(const Shape& shape) {
+  if (shape.form != Shape::Form::difference || shape.parts.size() != 2) return std::nullopt;
+  const Shape &outer = shape.parts[0], &inner = shape.parts[1];
+  const bool round = outer.form == Shape::Form::ball || outer.form == Shape::Form::cylinder;
+  if (!round || outer.form != inner.form ||
+      !std::equal(outer.numbers.begin(), outer.numbers.end() - 1, inner.numbers.begin()))
+    return std::nullopt;
+  return std::abs(outer.numbers.back() - inner.numbers.back());
+}
+
 /// Of what a shape is made of, the smallest length across [m].
 double smallest_length(const Shape& shape, int axes) {
   const std::vector<double>& n = shape.numbers;
@@ -258,7 +270,7 @@ double smallest_length(const Shape& shape, int axes) {
       return std::min((point(3) - point(0)).norm(), 2 * n[6]);
     default:
       for (const Shape& part : shape.parts) least = std::min(least, smallest_length(part, axes));
-      return least;
+      return std::min(least, wall_of(shape).value_or(least));
   }
 }
 
@@ -274,7 +286,13 @@ bool is_half(const Scene& s) {
   return s.composition.low[0] == 0 && s.composition.face(Side::left) == Face::mirror;
 }
 
-std::vector<Part> parts(const Scene&) { return {}; }
+std::vector<Part> parts(const Scene& s) {
+  std::vector<Part> all;
+  for (const ComposedBody& b : s.composition.bodies)
+    if (const double size = smallest_length(b.shape, axes_of(s.space)); std::isfinite(size))
+      all.push_back({"the smallest part or hole of a body", "cell_size", size});
+  return all;
+}
 
 template <int axes>
 BasicMeasurements<axes> measurements(const Scene&, const BasicState<axes>&) {
