@@ -95,6 +95,7 @@ ShareNumber<axes> share_at(const BasicState<axes>& s, const Vec<axes>& share, co
 /// Throws where the particles from `first` on share a place with those before.
 template <int axes>
 void refuse_overlap(const BasicState<axes>& s, std::size_t first, const Vec<axes>& share) {
+  if (first == 0) return;  // there are none: each share is filled once
   std::map<ShareNumber<axes>, double> sums;
   const auto& ps = s.particles;
   for (std::size_t p = 0; p < ps.size(); ++p) {

@@ -28,29 +28,22 @@ void reflect_row(BasicGrid<3>& grid, int row, int layers) {
 }
 
 bool at_open_face(const Grid& grid, const OpenSides& open, Floor floor, int top_row) {
-  for (int j = 0; j <= top_row; ++j)
-    if ((open.left && grid.at(0, j).mass > 0) || (open.right && grid.at(grid.columns(), j).mass > 0))
-      return true;
-  if (floor == Floor::open)
-    for (int i = 0; i <= grid.columns(); ++i)
-      if (grid.at(i, 0).mass > 0) return true;
-  return false;
+  const auto has_mass = [&](int i, int j) { return grid.at(i, j).mass > 0; };
+  return walls::at_sides(has_mass, open.left, open.right, grid.columns(), 0, top_row) ||
+         (floor == Floor::open && walls::at_floor(has_mass, grid.columns()));
 }
 
 bool at_open_face(const BasicGrid<3>& grid, const OpenSides& open, Floor floor, int top_row) {
-  const int right = grid.columns(), back = grid.slices();
-  for (int j = 0; j <= top_row; ++j) {
-    for (int k = 0; k <= back; ++k)
-      if ((open.left && grid.at(0, j, k).mass > 0) || (open.right && grid.at(right, j, k).mass > 0))
-        return true;
-    for (int i = 0; i <= right; ++i)
-      if ((open.front && grid.at(i, j, 0).mass > 0) || (open.back && grid.at(i, j, back).mass > 0))
-        return true;
+  for (int k = 0; k <= grid.slices(); ++k) {
+    const auto has_mass = [&](int i, int j) { return grid.at(i, j, k).mass > 0; };
+    if (walls::at_sides(has_mass, open.left, open.right, grid.columns(), 0, top_row) ||
+        (floor == Floor::open && walls::at_floor(has_mass, grid.columns())))
+      return true;
   }
-  if (floor == Floor::open)
-    for (int k = 0; k <= back; ++k)
-      for (int i = 0; i <= right; ++i)
-        if (grid.at(i, 0, k).mass > 0) return true;
+  for (int i = 0; i <= grid.columns(); ++i)
+    if (walls::at_sides([&](int k, int j) { return grid.at(i, j, k).mass > 0; }, open.front, open.back,
+                        grid.slices(), 0, top_row))
+      return true;
   return false;
 }
 

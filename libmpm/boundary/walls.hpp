@@ -61,6 +61,24 @@ void reflect_row(Nodes nodes, int row, int first, int last, int layers) {
   }
 }
 
+/// Whether there is mass in column 0, which stands for an open left side, or in column `right`, for an open
+/// right one. `has_mass`: of node (i, j).
+template <class HasMass>
+bool at_sides(const HasMass& has_mass, bool left, bool right_is_open, int right, int first, int last) {
+  if (!left && !right_is_open) return false;
+  for (int j = first; j <= last; ++j)
+    if ((left && has_mass(0, j)) || (right_is_open && has_mass(right, j))) return true;
+  return false;
+}
+
+/// Whether there is mass in row 0, up to column `right`.
+template <class HasMass>
+bool at_floor(const HasMass& has_mass, int right) {
+  for (int i = 0; i <= right; ++i)
+    if (has_mass(i, 0)) return true;
+  return false;
+}
+
 /// Gives a node another velocity. a is the change of v over `step`.
 template <class Nodes, class Velocity, class Real>
 void move_to(Nodes nodes, int i, int j, const Velocity& velocity, Real step) {

@@ -14,6 +14,16 @@ auto* find_column(Columns& columns, std::string_view name) {
   return found == columns.end() ? nullptr : &*found;
 }
 
+/// Part number `part` of particles whose parts end at `ends`; no ends: all `size` are part 0.
+template <class Range>
+Range range_in(const std::vector<std::size_t>& ends, std::size_t part, std::size_t size) {
+  if (ends.empty()) return {0, part == 0 ? size : 0};
+  return {part == 0 ? 0 : ends.at(part - 1), ends.at(part)};
+}
+std::size_t part_of(const std::vector<std::size_t>& ends, std::size_t p) {
+  return static_cast<std::size_t>(std::ranges::upper_bound(ends, p) - ends.begin());
+}
+
 }  // namespace
 
 template <int axes>
@@ -42,14 +52,20 @@ void BasicParticles<axes>::keep(std::span<const StateColumn> columns) {
 
 template <int axes>
 auto BasicParticles<axes>::range_of(std::size_t material) const -> Range {
-  if (material_ends.empty()) return {0, material == 0 ? size() : 0};
-  return {material == 0 ? 0 : material_ends.at(material - 1), material_ends.at(material)};
+  return range_in<Range>(material_ends, material, size());
+}
+template <int axes>
+std::size_t BasicParticles<axes>::material_of(std::size_t p) const {
+  return part_of(material_ends, p);
 }
 
 template <int axes>
-std::size_t BasicParticles<axes>::material_of(std::size_t p) const {
-  const auto end = std::ranges::upper_bound(material_ends, p);
-  return static_cast<std::size_t>(end - material_ends.begin());
+auto BasicParticles<axes>::range_of_body(std::size_t body) const -> Range {
+  return range_in<Range>(body_ends, body, size());
+}
+template <int axes>
+std::size_t BasicParticles<axes>::body_of(std::size_t p) const {
+  return part_of(body_ends, p);
 }
 
 template <int axes>

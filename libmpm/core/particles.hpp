@@ -65,6 +65,8 @@ struct BasicParticles {
   };
   Range range_of(std::size_t material) const;
   std::size_t material_of(std::size_t p) const;
+  Range range_of_body(std::size_t body) const;
+  std::size_t body_of(std::size_t p) const;
 
   void reserve(std::size_t n);
   /// Adds a particle at rest, without stress.

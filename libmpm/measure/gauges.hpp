@@ -2,12 +2,23 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libmpm/measure/measurement.hpp"
 #include "libmpm/scene/report.hpp"
 
 namespace mpm {
+
+inline constexpr std::string_view all_bodies = "all";  ///< in place of the name of a body
+
+/// The place of a gauge, which has as many coordinates.
+template <int axes>
+Vec<axes> gauge_vector(const std::vector<double>& place) {
+  Vec<axes> x;
+  for (int k = 0; k < axes; ++k) x[k] = place[static_cast<std::size_t>(k)];
+  return x;
+}
 
 /// The gauges of a scene, read at every sample (area_every, and the end of the run).
 ///

@@ -6,20 +6,22 @@
 
 namespace mpm {
 
-namespace {
+template <int axes>
+BasicState<axes> empty_state_of(const Scene& s, const BasicLattice<axes>& l) {
+  const Floor floor = kind_of(s).floor(s);
+  if constexpr (axes == 2)
+    return empty_state(l.origin, l.cell, l.columns, floor, s.space);
+  else
+    return empty_state(l.origin, l.cell, l.columns, l.slices, floor);
+}
 
-State nothing_yet(const Scene& s, const Lattice& l, Floor floor) {
-  return empty_state(l.origin, l.cell, l.columns, floor, s.space);
-}
-BasicState<3> nothing_yet(const Scene&, const BasicLattice<3>& l, Floor floor) {
-  return empty_state(l.origin, l.cell, l.columns, l.slices, floor);
-}
+namespace {
 
 template <int axes>
 BasicState<axes> one_body(const Scene& s) {
   const Kind& kind = kind_of(s);
   const BasicLattice<axes> l = kind.in<axes>().lattice(s);
-  BasicState<axes> state = nothing_yet(s, l, kind.floor(s));
+  BasicState<axes> state = empty_state_of<axes>(s, l);
   const auto cells =
       static_cast<std::size_t>(l.columns * l.rows) * static_cast<std::size_t>(axes == 2 ? 1 : l.slices);
   state.particles.reserve(cells * static_cast<std::size_t>(s.numerics.particles_per_cell));
@@ -69,6 +71,8 @@ std::vector<Temperature> temperatures_of(const Scene& s) {
 
 template Lattice lattice_of(const Scene&);
 template BasicLattice<3> lattice_of(const Scene&);
+template State empty_state_of(const Scene&, const Lattice&);
+template BasicState<3> empty_state_of(const Scene&, const BasicLattice<3>&);
 template State build_state(const Scene&);
 template BasicState<3> build_state(const Scene&);
 

@@ -26,6 +26,10 @@ using Lattice = BasicLattice<2>;
 template <int axes = 2>
 BasicLattice<axes> lattice_of(const Scene&);
 
+/// No body yet, on the scene's lattice and floor.
+template <int axes>
+BasicState<axes> empty_state_of(const Scene&, const BasicLattice<axes>&);
+
 /// The body at time 0: particles on a square lattice, moving as the kind of scene says. A particle whose
 /// share of the lattice a circle cuts gets the mass and the centroid of what is left; small
 /// shares are dropped, see body/fill.hpp.

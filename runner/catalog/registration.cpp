@@ -49,11 +49,8 @@ std::int64_t Store::Impl::add_job(const Job& job) {
 
 /// What the study calls its own, with the values of this job.
 void Store::Impl::enter_labels(std::int64_t study, std::int64_t job, const mpm::Scene& scene) {
-  if (scene.labels.empty()) return;
-  SQLite::Statement enter(*db, "INSERT OR REPLACE INTO own_parameter VALUES (?, ?, ?, ?, ?)");
-  for (const mpm::Label& label : scene.labels) {
-    execute(enter, study, job, label.name, without_rounding(label.value), label.unit);
-  }
+  for (const mpm::Label& label : scene.labels)
+    execute(insert_label, study, job, label.name, without_rounding(label.value), label.unit);
 }
 
 std::optional<Store::Impl::Row> Store::Impl::find(const Job& job) {

@@ -38,6 +38,7 @@ struct Store::Impl {
 
   SQLite::Statement select_job{*db, "SELECT id, status, attempt, runner_id, crashes FROM job WHERE key = ?"};
   SQLite::Statement insert_job{*db, insert_job_sql()};
+  SQLite::Statement insert_label{*db, "INSERT OR REPLACE INTO own_parameter VALUES (?, ?, ?, ?, ?)"};
   SQLite::Statement insert_member{
       *db,
       "INSERT OR IGNORE INTO study_job (study_id, job_id, position, coarse, reason) VALUES (?, ?, ?, ?, ?)"};

@@ -124,6 +124,8 @@ std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<st
     }
     columns.push_back(std::move(column));
   }
+  std::vector<const mpm::Scene*> scenes;
+  for (const mpm::Scene& scene : study.scenes) scenes.push_back(&scene);
   for (std::size_t at = 0; at < results.size(); ++at) {
     std::vector<std::optional<double>> values, errors;
     for (const JobRow& row : rows) {
@@ -131,8 +133,6 @@ std::vector<TextColumn> columns_of_rows(const Study& study, const std::vector<st
       errors.push_back(row.results[at].error);
     }
     const std::string& name = results[at];
-    std::vector<const mpm::Scene*> scenes;
-    for (const mpm::Scene& scene : study.scenes) scenes.push_back(&scene);
     const std::string of_gauge = unit_of_gauge(scenes, name);
     const std::string unit = of_gauge.empty() ? unit_of(folder, name) : of_gauge;
     TextColumn column{std::string(analysis::without_unit(name, unit)), "", {}, false};

@@ -129,11 +129,9 @@ class SweepTable {
   void read_spacing(SweepRange& range) {
     const Entry* entry = table_.find("spacing");
     if (!entry) return;
-    const std::string* word = entry->value.string();
-    if (!word || std::find(spacings.begin(), spacings.end(), *word) == spacings.end())
-      refuse(key("spacing"), entry->value, unknown_word(word ? *word : "", "spacing", spacings));
-    else
-      range.logarithmic = *word == spacings[1];
+    const auto word = find_word(key("spacing"), entry->value, "spacing", spacings, mistakes_);
+    good_ = good_ && word;
+    range.logarithmic = word == 1u;
   }
 
   const mpm::Quantity& row_;
@@ -227,16 +225,10 @@ std::optional<Axis> read_axis(const mpm::Choice& row, const Entry& entry, Mistak
   if (words.empty()) mistakes.add(row.name, *values, {"no values", "allowed: " + listed(row.allowed)});
   bool good = !words.empty();
   for (const Value& value : words) {
-    const std::string* word = value.string();
-    const auto found = word ? std::find(row.allowed.begin(), row.allowed.end(), *word) : row.allowed.end();
-    if (found == row.allowed.end()) {
-      const bool material = &row == &mpm::material_choice();
-      mistakes.add(row.name, value,
-                   unknown_word(word ? *word : "", material ? "material" : "choice", row.allowed));
-      good = false;
-    } else {
-      axis.points.push_back({static_cast<double>(found - row.allowed.begin()), value.place});
-    }
+    const bool material = &row == &mpm::material_choice();
+    const auto word = find_word(row.name, value, material ? "material" : "choice", row.allowed, mistakes);
+    good = good && word;
+    if (word) axis.points.push_back({static_cast<double>(*word), value.place});
   }
   return good ? std::optional(axis) : std::nullopt;
 }

@@ -14,11 +14,6 @@ namespace {
 constexpr std::array<std::string_view, 6> body_keys = {"name",     "material",         "shape",
                                                        "velocity", "angular_velocity", "about"};
 
-const Table* table_at(const Table& document, std::string_view name) {
-  const Entry* entry = document.find(name);
-  return entry ? entry->value.table() : nullptr;
-}
-
 /// Adds a mistake for each key that is none of those; whether there is none.
 template <class Keys>
 bool check_words(const Table& table, std::string_view what, const Keys& keys, Mistakes& mistakes) {
@@ -88,8 +83,8 @@ BodiesReader::BodiesReader(const Table& document, const Units& units, KnownParam
   const auto keep = [&](const std::string& name, const Place& place) { places_.try_emplace(name, place); };
   for (const auto name : {box_table, faces_table, body_table})
     if (const Entry* entry = document.find(name)) keep(std::string(name), entry->place);
-  if (const Table* faces = table_at(document, faces_table))
-    for (const Entry& entry : faces->entries) keep("faces." + entry.key, entry.value.place);
+  for (const Entry& entry : entries_of(document.find_table(faces_table)))
+    keep("faces." + entry.key, entry.value.place);
   for (const Value& body : bodies()) {
     const Table* table = body.table();
     const std::string* name = table ? text_at(*table, "name") : nullptr;
@@ -98,13 +93,11 @@ BodiesReader::BodiesReader(const Table& document, const Units& units, KnownParam
     for (const char* part : {"shape", "velocity"})
       if (const Entry* entry = table->find(part)) keep("body " + *name + ", " + part, entry->value.place);
   }
-  if (const Table* materials = table_at(document, materials_table))
-    for (const Entry& one : materials->entries) {
-      const Table* table = one.value.table();
-      for (const auto key : keys_of_materials()) keep(std::string(key) + " of " + one.key, one.place);
-      for (const Entry& entry : table ? table->entries : std::vector<Entry>())
-        places_[entry.key + " of " + one.key] = entry.value.place;
-    }
+  for (const Entry& one : entries_of(document.find_table(materials_table))) {
+    for (const auto key : keys_of_materials()) keep(std::string(key) + " of " + one.key, one.place);
+    for (const Entry& entry : entries_of(one.value.table()))
+      places_[entry.key + " of " + one.key] = entry.value.place;
+  }
 }
 
 const List& BodiesReader::bodies() const {
@@ -126,8 +119,7 @@ const Place* BodiesReader::place_of(std::string_view parameter) const {
 
 std::vector<std::string> BodiesReader::warnings() const {
   std::vector<std::string> lines;
-  const Table* materials = table_at(document_, materials_table);
-  for (const Entry& one : materials ? materials->entries : std::vector<Entry>()) {
+  for (const Entry& one : entries_of(document_.find_table(materials_table))) {
     const Table* table = one.value.table();
     const Entry* density = table && table->find("base") ? table->find("reference_density") : nullptr;
     if (!density) continue;
@@ -141,7 +133,7 @@ std::vector<std::string> BodiesReader::warnings() const {
 
 std::optional<mpm::Material> BodiesReader::read_material(const mpm::Scene& scene, std::string_view name,
                                                          const ValueOf& value, Mistakes& mistakes) {
-  const Table* materials = table_at(document_, materials_table);
+  const Table* materials = document_.find_table(materials_table);
   const Entry* entry = materials ? materials->find(name) : nullptr;
   if (!entry) return mpm::named_material(name);
   const Table* table = entry->value.table();
@@ -157,13 +149,10 @@ std::optional<mpm::Material> BodiesReader::read_material(const mpm::Scene& scene
   of.material = {};
   bool good = true;
   if (const Entry* base = table->find("base")) {
-    const std::string* word = base->value.string();
-    if (!word || std::ranges::find(mpm::material_names(), *word) == mpm::material_names().end()) {
-      mistakes.add(what + ".base", base->value,
-                   unknown_word(word ? *word : "", "material", mpm::material_names()));
-      return std::nullopt;
-    }
-    of.material = mpm::named_material(*word);
+    const auto names = mpm::material_names();
+    const auto word = find_word(what + ".base", base->value, "material", names, mistakes);
+    if (!word) return std::nullopt;
+    of.material = mpm::named_material(names[*word]);
   }
   for (const mpm::Quantity& row : mpm::quantities()) {
     const Entry* given = mpm::is_of_material(row) ? table->find(row.name) : nullptr;
@@ -176,15 +165,9 @@ std::optional<mpm::Material> BodiesReader::read_material(const mpm::Scene& scene
   for (const mpm::Choice& row : mpm::choices()) {
     const Entry* given = row.section == mpm::Section::material ? table->find(row.name) : nullptr;
     if (!given) continue;
-    const std::string* word = given->value.string();
-    const auto found = std::ranges::find(row.allowed, word ? *word : "");
-    if (found == row.allowed.end()) {
-      mistakes.add(what + "." + given->key, given->value,
-                   unknown_word(word ? *word : "", "choice", row.allowed));
-      good = false;
-    } else {
-      row.set(of, static_cast<std::size_t>(found - row.allowed.begin()));
-    }
+    const auto word = find_word(what + "." + given->key, given->value, "choice", row.allowed, mistakes);
+    good = good && word;
+    if (word) row.set(of, *word);
   }
   std::string missing;
   for (const mpm::Quantity& row : mpm::quantities()) {
@@ -233,14 +216,10 @@ void BodiesReader::read_faces(mpm::Scene& scene, Mistakes& mistakes) {
   const std::vector<std::string_view> names(mpm::side_words.begin(), mpm::side_words.begin() + sides);
   check_words(*faces, faces_table, names, mistakes);
   for (const Entry& one : faces->entries) {
-    if (std::ranges::find(names, one.key) == names.end()) continue;
-    const std::string* word = one.value.string();
-    const auto found = std::ranges::find(mpm::face_words, word ? *word : "");
-    if (found == mpm::face_words.end())
-      mistakes.add("faces." + one.key, one.value, unknown_word(word ? *word : "", "face", mpm::face_words));
-    else
-      scene.composition.faces[static_cast<std::size_t>(std::ranges::find(names, one.key) - names.begin())] =
-          static_cast<mpm::Face>(found - mpm::face_words.begin());
+    const auto side = std::ranges::find(names, one.key);
+    if (side == names.end()) continue;
+    if (const auto word = find_word("faces." + one.key, one.value, "face", mpm::face_words, mistakes))
+      scene.composition.faces[static_cast<std::size_t>(side - names.begin())] = static_cast<mpm::Face>(*word);
   }
 }
 
@@ -250,8 +229,8 @@ void BodiesReader::apply(mpm::Scene& scene, const ValueOf& value, Mistakes& mist
   read_faces(scene, mistakes);
   const BodyContext context{scene.space, value, quantities_, mistakes};
   std::vector<std::string_view> known(mpm::material_names().begin(), mpm::material_names().end());
-  if (const Table* materials = table_at(document_, materials_table))
-    for (const Entry& one : materials->entries) known.push_back(one.key);
+  const std::vector<Entry>& of_file = entries_of(document_.find_table(materials_table));
+  for (const Entry& one : of_file) known.push_back(one.key);
   // the study's own material is number 0, where a body is of it
   std::vector<std::string> names;
   std::vector<mpm::Material> materials;
@@ -260,25 +239,21 @@ void BodiesReader::apply(mpm::Scene& scene, const ValueOf& value, Mistakes& mist
     std::optional<mpm::ComposedBody> body = read_body(one, context);
     if (!body) continue;
     if (const Entry* material = one.table()->find("material")) {
-      const std::string* word = material->value.string();
-      if (!word || std::ranges::find(known, *word) == known.end()) {
-        mistakes.add("body.material", material->value, unknown_word(word ? *word : "", "material", known));
-        continue;
-      }
-      const auto found = std::ranges::find(names, *word);
+      const auto word = find_word("body.material", material->value, "material", known, mistakes);
+      if (!word) continue;
+      const auto found = std::ranges::find(names, known[*word]);
       body->material = static_cast<std::size_t>(found - names.begin());
       if (found == names.end()) {
-        names.push_back(*word);
-        materials.push_back(read_material(scene, *word, value, mistakes).value_or(mpm::Material{}));
+        names.emplace_back(known[*word]);
+        materials.push_back(read_material(scene, known[*word], value, mistakes).value_or(mpm::Material{}));
       }
     }
     scene.composition.bodies.push_back(std::move(*body));
   }
-  if (const Table* of_file = table_at(document_, materials_table))
-    for (const Entry& one : of_file->entries)
-      if (std::ranges::find(names, one.key) == names.end())
-        mistakes.add(one.place, "materials." + one.key,
-                     {"no body is of it", "remove it, or name it as the material of a [[body]]"});
+  for (const Entry& one : of_file)
+    if (std::ranges::find(names, one.key) == names.end())
+      mistakes.add(one.place, "materials." + one.key,
+                   {"no body is of it", "remove it, or name it as the material of a [[body]]"});
   std::ranges::stable_sort(scene.composition.bodies, {}, &mpm::ComposedBody::material);
   if (materials.empty()) return;
   scene.material = materials.front();

@@ -101,13 +101,9 @@ std::optional<SweepRequest> read_sweep(const Table* table, Mistakes& mistakes) {
   SweepRequest request;
   if (!table) return request;
   if (const Entry* entry = table->find("mode")) {
-    const std::string* word = entry->value.string();
-    const auto found = word ? std::find(mode_names.begin(), mode_names.end(), *word) : mode_names.end();
-    if (found == mode_names.end()) {
-      mistakes.add("mode", entry->value, unknown_word(word ? *word : "", "mode", mode_names));
-      return std::nullopt;
-    }
-    request.mode = static_cast<SweepMode>(found - mode_names.begin());
+    const auto word = find_word("mode", entry->value, "mode", mode_names, mistakes);
+    if (!word) return std::nullopt;
+    request.mode = static_cast<SweepMode>(*word);
     request.place = entry->value.place;
     request.written = entry->value.written();
   }

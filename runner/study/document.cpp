@@ -102,6 +102,16 @@ const Entry* Table::find(std::string_view key) const {
   return found == entries.end() ? nullptr : &*found;
 }
 
+const Table* Table::find_table(std::string_view key) const {
+  const Entry* entry = find(key);
+  return entry ? entry->value.table() : nullptr;
+}
+
+const std::vector<Entry>& entries_of(const Table* table) {
+  static const std::vector<Entry> none;
+  return table ? table->entries : none;
+}
+
 Entry* Table::find(std::string_view key) { return const_cast<Entry*>(std::as_const(*this).find(key)); }
 
 std::string Value::number_text() const {

@@ -26,7 +26,11 @@ struct Table {
   std::vector<Entry> entries;
   const Entry* find(std::string_view key) const;  ///< null if there is none
   Entry* find(std::string_view key);
+  /// The table under that key; null if there is none, or no table.
+  const Table* find_table(std::string_view key) const;
 };
+/// Of a table that may not be there: then none. Nothing is copied.
+const std::vector<Entry>& entries_of(const Table*);
 
 /// One TOML value. Dates and times, which no study uses, are monostate.
 struct Value {

@@ -31,8 +31,8 @@ std::pair<std::optional<std::string_view>, std::string_view> locate(std::string_
 
 /// Whether the file has a parameter of that name, be it in no table of ours.
 bool is_own(const Table& document, std::string_view name) {
-  const Entry* parameters = document.find("parameters");
-  return parameters && parameters->value.table() && parameters->value.table()->find(name);
+  const Table* parameters = document.find_table("parameters");
+  return parameters && parameters->find(name);
 }
 
 /// name and title are text: what the shell left of name="2026" is no number.

@@ -26,14 +26,8 @@ void add_names(const Value& value, std::set<std::string>& names) {
     for (std::string& name : names_in(*text)) names.insert(std::move(name));
   if (const List* list = value.list())
     for (const Value& one : *list) add_names(one, names);
-  if (const Table* table = value.table())
-    for (const Entry& one : table->entries)
-      if (!is_word(one.key)) add_names(one.value, names);
-}
-
-const Table* parameters_of(const Table& document) {
-  const Entry* entry = document.find("parameters");
-  return entry ? entry->value.table() : nullptr;
+  for (const Entry& one : entries_of(value.table()))
+    if (!is_word(one.key)) add_names(one.value, names);
 }
 
 /// What follows the number of "32.4 mm".
@@ -67,23 +61,21 @@ OwnParameters::OwnParameters(const Table& document, std::optional<mpm::SceneKind
     });
     if (!given) unknown.push_back(name);
   }
-  if (const Table* parameters = parameters_of(document))
-    for (const Entry& one : parameters->entries) {
-      const mpm::Quantity* row = mpm::find_quantity(one.key);
-      const bool is_row = (row && (!kind || row->belongs_to(*kind))) || mpm::find_choice(one.key) ||
-                          one.key == mpm::material_choice().name;
-      // also one that an expression may mean with a slip: it is said there
-      const bool is_meant = used.contains(one.key) || !nearest(one.key, unknown).empty();
-      if (!is_row && is_meant) own_.insert(one.key), names_.push_back(one.key);
-    }
+  for (const Entry& one : entries_of(document.find_table("parameters"))) {
+    const mpm::Quantity* row = mpm::find_quantity(one.key);
+    const bool is_row = (row && (!kind || row->belongs_to(*kind))) || mpm::find_choice(one.key);
+    // also one that an expression may mean with a slip: it is said there
+    const bool is_meant = used.contains(one.key) || !nearest(one.key, unknown).empty();
+    if (!is_row && is_meant) own_.insert(one.key), names_.push_back(one.key);
+  }
   for (const Entry& table : document.entries)
-    for (const Entry& one : table.value.table() ? table.value.table()->entries : std::vector<Entry>())
+    for (const Entry& one : entries_of(table.value.table()))
       if (mpm::find_quantity(one.key) && !has(one.key) && may_have_expressions(table.key))
         names_.push_back(one.key);
 }
 
 const Entry* OwnParameters::find(std::string_view name) const {
-  const Table* parameters = parameters_of(document_);
+  const Table* parameters = document_.find_table("parameters");
   return parameters ? parameters->find(name) : nullptr;
 }
 

@@ -22,24 +22,31 @@ std::optional<Expression> read_expression(std::string_view key, const Value& val
   return std::nullopt;
 }
 
+std::optional<double> expression_value(const Place& place, std::string_view key, std::string_view written,
+                                       double si, const Expected& expected, Mistakes& mistakes) {
+  const Number number = in_range(si, expected);
+  if (const auto* refusal = std::get_if<Refusal>(&number)) {
+    mistakes.add(place, key, written,
+                 {fmt::format("makes {:.6g} {}, {}", si, expected.unit, refusal->wrong), refusal->allowed});
+    return std::nullopt;
+  }
+  return std::get<double>(number);
+}
+
 QuantityReader::Read QuantityReader::read_once(std::string_view key, const Value& value,
                                                const Expected& expected, Mistakes& mistakes) const {
   const Number number = read_quantity(value, expected, units_);
   if (const double* si = std::get_if<double>(&number)) return *si;
   const std::string* text = value.string();
-  const auto& refusal = std::get<Refusal>(number);
-  if (!text || names_in(*text).empty()) {
-    // no parameter in it, but perhaps a sum: "1 um + 2 um"
-    if (text && text->find_first_of("+*/(", 1) != std::string::npos &&
-        std::holds_alternative<Expression>(Expression::read(*text, units_, known_.dimension, known_.names))) {
-      if (auto expression = read_expression(key, value, expected, units_, known_, mistakes))
-        return std::move(*expression);
-      return {};
-    }
-    mistakes.add(key, value, refusal);
-    return {};
-  }
-  if (auto expression = read_expression(key, value, expected, units_, known_, mistakes))
+  // without a parameter in it, too, it may be a sum: "1 um + 2 um"
+  const auto is_sum = [&] {
+    return text->find_first_of("+*/(", 1) != std::string::npos &&
+           std::holds_alternative<Expression>(
+               Expression::read(*text, units_, known_.dimension, known_.names));
+  };
+  if (!text || (names_in(*text).empty() && !is_sum()))
+    mistakes.add(key, value, std::get<Refusal>(number));
+  else if (auto expression = read_expression(key, value, expected, units_, known_, mistakes))
     return std::move(*expression);
   return {};
 }
@@ -53,14 +60,7 @@ std::optional<double> QuantityReader::read(std::string_view key, const Value& va
   if (text && expression) read_.try_emplace({*text, std::string(expected.unit)}, *expression);
   if (const double* si = std::get_if<double>(&read)) return *si;
   if (!expression) return std::nullopt;
-  const double si = expression->value(of);
-  const Number number = in_range(si, expected);
-  if (const auto* refusal = std::get_if<Refusal>(&number)) {
-    mistakes.add(key, value,
-                 {fmt::format("makes {:.6g} {}, {}", si, expected.unit, refusal->wrong), refusal->allowed});
-    return std::nullopt;
-  }
-  return std::get<double>(number);
+  return expression_value(value.place, key, value.written(), expression->value(of), expected, mistakes);
 }
 
 }  // namespace mpmstudy

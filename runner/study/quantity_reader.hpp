@@ -26,6 +26,10 @@ using ValueOf = std::function<double(const std::string& name)>;
 std::optional<Expression> read_expression(std::string_view key, const Value&, const Expected&, const Units&,
                                           const KnownParameters&, Mistakes&);
 
+/// What an expression comes to, where that is in range. Empty after adding a mistake.
+std::optional<double> expression_value(const Place&, std::string_view key, std::string_view written,
+                                       double si, const Expected&, Mistakes&);
+
 class QuantityReader {
  public:
   QuantityReader(const Units& units, KnownParameters known) : units_(units), known_(std::move(known)) {}

@@ -58,10 +58,7 @@ class Reader {
   }
 
  private:
-  const Table* table(std::string_view name) const {
-    const Entry* entry = document_.find(name);
-    return entry ? entry->value.table() : nullptr;
-  }
+  const Table* table(std::string_view name) const { return document_.find_table(name); }
   /// Where a key that `name` lacks would have to be written.
   Place place_of_table(std::string_view name) const {
     const Entry* entry = document_.find(name);
@@ -201,23 +198,21 @@ class Reader {
     const bool scaled = entry.key == "cell_size" && options_.cells != 1;
     if (scaled) scale_cells(*axis);
     if (!axis->swept && !axis->expression && entry.place.line > 0) fixed_.push_back(entry.key);
+    if (axis->quantity && !axis->expression) remember_unit(*axis->quantity, entry.value);
     if (axis->own) {
-      if (auto unit = written_unit(entry.value, axis->quantity->unit, units_))
-        study_.units[entry.key] = std::move(*unit);
       study_.own.push_back({entry.key, std::string(axis->quantity->unit), entry.value.place.text()});
       said_.push_back(entry.key);
       request_.axes.push_back(std::move(*axis));
       return;
     }
     study_.given.push_back(entry.key);
-    if (axis->quantity && !axis->expression) remember_unit(entry.key, entry.value);
     study_.places.push_back(entry.value.place.text() + (scaled ? ", times --cells" : ""));
     request_.axes.push_back(std::move(*axis));
   }
 
-  void remember_unit(const std::string& name, const Value& value) {
-    if (auto unit = written_unit(value, mpm::find_quantity(name)->unit, units_))
-      study_.units[name] = std::move(*unit);
+  void remember_unit(const mpm::Quantity& row, const Value& value) {
+    if (auto unit = written_unit(value, row.unit, units_))
+      study_.units[std::string(row.name)] = std::move(*unit);
   }
 
   /// --cells: to 12 digits, as a file would say it.
@@ -338,7 +333,8 @@ class Reader {
                     {"is of single runs, and the study has a [search]",
                      "write ladder = 3 instead: a bracket on each of three cells, and the interval of the "
                      "critical value"});
-    if (const Entry* between = search.find("between")) remember_unit(name, between->value);
+    if (const Entry* between = search.find("between"))
+      remember_unit(*mpm::find_quantity(name), between->value);
     request_.seeks_ejection = study_.search->outcome == "ejected" || study_.search->outcome == "arrested";
     Axis axis;
     axis.quantity = mpm::find_quantity(name);

@@ -170,17 +170,6 @@ class Reporter {
   Mistakes& mistakes_;
 };
 
-/// Whether the value of an expression is in the range of its row; else adds a mistake.
-bool fits(const Assignment& one, double si, Mistakes& mistakes) {
-  const mpm::Quantity& row = *one.axis->quantity;
-  const Number number = in_range(si, {row.unit, row.range});
-  const auto* refusal = std::get_if<Refusal>(&number);
-  if (refusal)
-    mistakes.add(one.axis->value_place, row.name, one.axis->written,
-                 {fmt::format("makes {:.6g} {}, {}", si, row.unit, refusal->wrong), refusal->allowed});
-  return !refusal;
-}
-
 /// Gives a gauge the coordinates that are expressions.
 void place_gauge(const GaugeRequest& request, const ValueOf& value, mpm::Gauge& gauge, Mistakes& mistakes) {
   for (const auto& [axis, expression] : request.coordinates) {
@@ -256,7 +245,10 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
     Mistakes of_values;
     for (const Assignment& one : ordered) {
       const double si = value(one);
-      if (one.axis->expression && !fits(one, si, of_values)) continue;
+      if (one.axis->expression &&
+          !expression_value(one.axis->value_place, one.axis->name(), one.axis->written, si,
+                            {one.axis->quantity->unit, one.axis->quantity->range}, of_values))
+        continue;
       if (one.axis->own)
         scene.labels.push_back({std::string(one.axis->name()), si, std::string(one.axis->quantity->unit)});
       else if (one.axis->quantity)

@@ -55,4 +55,15 @@ Refusal unknown_word(std::string_view word, std::string_view what, const Words& 
   return {"no such " + std::string(what), allowed};
 }
 
+/// Which of the words a value is. Empty after adding a mistake under `key`.
+template <class Words>
+std::optional<std::size_t> find_word(std::string_view key, const Value& value, std::string_view what,
+                                     const Words& words, Mistakes& mistakes) {
+  const std::string* word = value.string();
+  for (std::size_t k = 0; word && k < words.size(); ++k)
+    if (words[k] == *word) return k;
+  mistakes.add(key, value, unknown_word(word ? *word : "", what, words));
+  return std::nullopt;
+}
+
 }  // namespace mpmstudy

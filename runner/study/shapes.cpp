@@ -78,8 +78,7 @@ class Parts {
   }
   /// Whether all was there, and nothing else.
   bool good() {
-    const Table* table = value_.table();
-    for (const Entry& entry : table ? table->entries : std::vector<Entry>())
+    for (const Entry& entry : entries_of(value_.table()))
       if (std::ranges::find(known_, entry.key) == known_.end()) {
         context_.mistakes.add(entry.place, path(entry.key), entry.value.written(),
                               unknown_word(entry.key, "key of " + std::string(form_), known_));
@@ -243,14 +242,15 @@ struct FormRow {
   Shape (*read)(Parts&);
   bool (*is_in)(Space);
   std::string_view instead;  ///< in spaces that have it not
+  bool is_section = false;   ///< in axisymmetry a part of the half plane, wherever it is put
 };
 constexpr std::array forms = {
     FormRow{"block", block, always, ""},
-    FormRow{"disc", disc, has_meridian, "sphere or cylinder"},
-    FormRow{"ring", ring, has_meridian, "shell or tube"},
-    FormRow{"ellipse", ellipse, has_meridian, "ellipsoid"},
-    FormRow{"polygon", polygon, always, ""},
-    FormRow{"half_space", half_space, always, ""},
+    FormRow{"disc", disc, has_meridian, "sphere or cylinder", true},
+    FormRow{"ring", ring, has_meridian, "shell or tube", true},
+    FormRow{"ellipse", ellipse, has_meridian, "ellipsoid", true},
+    FormRow{"polygon", polygon, always, "", true},
+    FormRow{"half_space", half_space, always, "", true},
     FormRow{"sphere", sphere, is_round, "disc, which is a cylinder along z in plane strain"},
     FormRow{"shell", shell, is_round, "ring, which is a tube along z in plane strain"},
     FormRow{"ellipsoid", ellipsoid, is_round, "ellipse, which is a cylinder along z in plane strain"},
@@ -345,22 +345,14 @@ bool turn(Shape& shape, const Entry& entry, const BodyContext& context) {
   return true;
 }
 
-/// Whether a shape is a part of the half plane of axisymmetry wherever it is put.
-bool is_of_meridian(const Table& shape) {
-  return std::ranges::any_of(shape.entries, [](const Entry& one) {
-    return one.key == "disc" || one.key == "ring" || one.key == "ellipse" || one.key == "polygon" ||
-           one.key == "half_space";
-  });
-}
-
 }  // namespace
 
 std::optional<mpm::Shape> read_shape(const Entry& entry, const BodyContext& context) {
   const Table* table = entry.value.table();
   std::optional<Shape> shape;
   int count = 0;
-  bool good = table != nullptr;
-  for (const Entry& one : table ? table->entries : std::vector<Entry>()) {
+  bool good = table != nullptr, is_section = false;
+  for (const Entry& one : entries_of(table)) {
     if (one.key == "rotate" || one.key == "translate") continue;
     ++count;
     const auto form = std::ranges::find(forms, one.key, &FormRow::word);
@@ -374,6 +366,7 @@ std::optional<mpm::Shape> read_shape(const Entry& entry, const BodyContext& cont
       }
       Parts parts(one.key, one.value, context);
       shape = form->read(parts);
+      is_section = form->is_section;
       good = parts.good() && good;
     } else if (joint != joints.end()) {
       shape = read_joint(*joint, one, context);
@@ -393,7 +386,7 @@ std::optional<mpm::Shape> read_shape(const Entry& entry, const BodyContext& cont
   }
   if (!good || !shape) return std::nullopt;
   // what is round about the axis stays there
-  const bool is_about_axis = context.space == Space::axisymmetric && !is_of_meridian(*table);
+  const bool is_about_axis = context.space == Space::axisymmetric && !is_section;
   const Refusal off_axis{
       "takes a shape off the axis",
       "allowed when space is \"axisymmetric\": disc, ring, ellipse, polygon and half_space turn and "

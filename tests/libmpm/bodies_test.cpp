@@ -37,6 +37,17 @@ mpm::Scene boxed(mpm::Scene s) {
   return s;
 }
 
+/// A cavity impact as one body.
+mpm::Scene written_out(const mpm::Scene& kind) {
+  mpm::Scene s = boxed(kind);
+  s.composition.bodies = {{"block",
+                           minus(block(s.composition.low, s.composition.high),
+                                 ball({0, kind.cavity_center_height, 0}, kind.cavity_radius)),
+                           0,
+                           {0, -kind.impact_speed, 0}}};
+  return s;
+}
+
 template <int axes>
 void expect_same_body(const mpm::Scene& a, const mpm::Scene& b) {
   const auto one = mpm::build_state<axes>(a), other = mpm::build_state<axes>(b);
@@ -70,12 +81,7 @@ TEST(Bodies, ACavityImpactWrittenOutIsTheSame) {
     mpm::Scene kind = scenes::cavity(0.2e-6);
     kind.space = space;
     kind.end_time = 1e-9;
-    mpm::Scene s = boxed(kind);
-    s.composition.bodies = {{"block",
-                             minus(block(s.composition.low, s.composition.high),
-                                   ball({0, kind.cavity_center_height, 0}, kind.cavity_radius)),
-                             0,
-                             {0, -kind.impact_speed, 0}}};
+    const mpm::Scene s = written_out(kind);
     expect_same_body<2>(kind, s);
     expect_same_numbers(kind, s);
   }
@@ -86,12 +92,7 @@ TEST(Bodies, OfThreeAxesToo) {
   kind.space = mpm::Space::three_d;
   kind.numerics = mpm::default_numerics(kind.kind, kind.space);
   kind.numerics.cell_size = 0.5e-6;
-  mpm::Scene s = boxed(kind);
-  s.composition.bodies = {{"block",
-                           minus(block(s.composition.low, s.composition.high),
-                                 ball({0, kind.cavity_center_height, 0}, kind.cavity_radius)),
-                           0,
-                           {0, -kind.impact_speed, 0}}};
+  const mpm::Scene s = written_out(kind);
   expect_same_body<3>(kind, s);
 }
 

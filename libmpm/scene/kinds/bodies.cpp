@@ -90,17 +90,9 @@ BasicBody<axes> body_of(const Composition& all, const ComposedBody& b) {
 }
 
 template <int axes>
-BasicState<axes> empty(const Scene& s, const BasicLattice<axes>& l) {
-  if constexpr (axes == 2)
-    return empty_state(l.origin, l.cell, l.columns, floor(s), s.space);
-  else
-    return empty_state(l.origin, l.cell, l.columns, l.slices, floor(s));
-}
-
-template <int axes>
 BasicState<axes> without_bodies(const Scene& s) {
   const BasicLattice<axes> l = lattice<axes>(s);
-  BasicState<axes> state = empty<axes>(s, l);
+  BasicState<axes> state = empty_state_of<axes>(s, l);
   state.open = {is_open(s, Side::left), is_open(s, Side::right), is_open(s, Side::front),
                 is_open(s, Side::back)};
   if (s.composition.face(Side::top) == Face::mirror) state.ceiling = l.rows;

@@ -63,13 +63,9 @@ void NodeGrid<Real>::reflect_sides(int first_row, int last_row) {
 
 template <class Real>
 bool NodeGrid<Real>::at_open_face(const OpenSides& open, Floor floor, int first_row, int last_row) {
-  const auto reached = [&](int i, int j) { return at(motion_mass, i, j) > 0; };
-  for (int j = std::max(first_row, 0); j <= last_row; ++j)
-    if ((open.left && reached(0, j)) || (open.right && reached(nodes_.columns, j))) return true;
-  if (floor == Floor::open && first_row <= 0)
-    for (int i = 0; i <= nodes_.columns; ++i)
-      if (reached(i, 0)) return true;
-  return false;
+  const auto has_mass = [&](int i, int j) { return at(motion_mass, i, j) > 0; };
+  return walls::at_sides(has_mass, open.left, open.right, nodes_.columns, std::max(first_row, 0), last_row) ||
+         (floor == Floor::open && first_row <= 0 && walls::at_floor(has_mass, nodes_.columns));
 }
 
 template <class Real>
