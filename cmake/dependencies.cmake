@@ -9,6 +9,7 @@ set_target_properties(mpm::hdf5 PROPERTIES INTERFACE_LINK_LIBRARIES "${HDF5_C_LI
 target_include_directories(mpm::hdf5 SYSTEM INTERFACE ${HDF5_C_INCLUDE_DIRS})
 find_package(Fontconfig REQUIRED)
 find_package(fmt REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # headers: Sobol numbers, quantiles
 find_package(SQLiteCpp REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(CLI11 REQUIRED)

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "runner/cli/ask.hpp"
+#include "runner/cli/skipped_points.hpp"
 #include "runner/plan/warnings.hpp"
 #include "runner/status/label.hpp"
 #include "runner/study/characters.hpp"
@@ -32,6 +33,7 @@ int run_check(const CheckOptions& options) {
                  counted(static_cast<std::int64_t>(plan.jobs.size()), "job"),
                  readable_bytes(demand_of(jobs, 1).bytes), cpu_seconds(jobs) / 3600,
                  study.search ? " for the lower end of its search" : "");
+      fmt::print("{}", skipped_text(study));
     } catch (const StudyError& error) {
       fmt::print(stderr, "{}\n", printable_lines(error.what()));
       result = exit_usage;

@@ -17,6 +17,7 @@
 #include "runner/cli/ask.hpp"
 #include "runner/cli/last_run.hpp"
 #include "runner/cli/print_search.hpp"
+#include "runner/cli/skipped_points.hpp"
 #include "runner/exec/processors.hpp"
 #include "runner/plan/gauge_text.hpp"
 #include "runner/plan/warnings.hpp"
@@ -230,6 +231,7 @@ void print_text(const Study& study, const Plan& plan, int workers, const std::st
         readable_forecast(study, search.forecast), readable_cost(search.cpu), duration(search.wall_s),
         workers);
   }
+  if (const std::string skipped = skipped_text(study); !skipped.empty()) fmt::print("\n{}", skipped);
   print_defaults(study, plan);
 }
 
@@ -274,6 +276,7 @@ Json to_json(const Study& study, const Plan& plan, int workers, const std::strin
           {"scene", mpm::to_string(study.kind)},
           {"swept", study.swept},
           {"jobs", std::move(jobs)},
+          {"skipped", skipped_json(study)},
           {"ladders", std::move(ladders)},
           {"cpu_seconds", cost.seconds},
           {"cpu_seconds_low", cost.interval ? Json(cost.interval->low) : Json(nullptr)},

@@ -27,6 +27,7 @@
 #include "runner/cli/run_intent.hpp"
 #include "runner/cli/run_plan.hpp"
 #include "runner/cli/run_slurm.hpp"
+#include "runner/cli/skipped_points.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/exec/run_studies.hpp"
 #include "runner/exec/signals.hpp"
@@ -81,6 +82,7 @@ bool finish_studies(const std::vector<Study>& studies, const RunOptions& options
 void print_studies(const std::vector<Study>& studies, const std::map<std::string, SearchReport>& searches,
                    const std::filesystem::path& results, bool quiet) {
   for (const auto& study : studies) {
+    const std::string skipped = skipped_text(study);
     if (const auto search = searches.find(study.name); search != searches.end()) {
       fmt::print("\n{}: {}\n", study.name, study.title);
       print_search(study, search->second);
@@ -88,6 +90,7 @@ void print_studies(const std::vector<Study>& studies, const std::map<std::string
     } else if (!quiet) {
       fmt::print("{}", results_text(study, results));
     }
+    fmt::print("{}", skipped);
   }
   if (!quiet) fmt::print("\n");
 }

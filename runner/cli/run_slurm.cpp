@@ -259,7 +259,7 @@ int submit_jobs(const RunOptions& options, const Study& study, const std::vector
     for (const Job* job : shard.jobs) keys.back().push_back(job->key);
   }
   try {
-    const SubmitOutcome outcome = submit(scripts, study.path, keys);
+    const SubmitOutcome outcome = submit(scripts, {study.path, study.points_file}, keys);
     const Submission& submission = outcome.submission;
     for (const auto& text : outcome.notes) fmt::print(stderr, "sbatch: {}\n", text);
     if (outcome.trouble.empty()) {

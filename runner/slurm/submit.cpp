@@ -31,14 +31,18 @@ void note(std::vector<std::string>& notes, const SubmitAnswer& answer) {
 }
 
 /// The folder with all that the elements need; the record last.
-void prepare(const SlurmScripts& scripts, const fs::path& study_file,
+void prepare(const SlurmScripts& scripts, const StudyFiles& files,
              const std::vector<std::vector<std::string>>& keys, const SubmissionRecord& record) {
   const fs::path folder = scripts.folder;
   fs::create_directories(folder.parent_path());
   if (!fs::create_directory(folder))
     throw std::runtime_error(folder.string() + ": is there already; run again");
   try {
-    fs::copy_file(study_file, folder / "study.toml");
+    fs::copy_file(files.study, folder / "study.toml");
+    if (!files.points.empty() && !files.points.is_absolute()) {
+      fs::create_directories((folder / files.points).parent_path());
+      fs::copy_file(files.study.parent_path() / files.points, folder / files.points);
+    }
     for (std::size_t i = 0; i < keys.size(); ++i) {
       std::string lines;
       for (const auto& key : keys[i]) lines += key + "\n";
@@ -56,7 +60,7 @@ void prepare(const SlurmScripts& scripts, const fs::path& study_file,
 
 }  // namespace
 
-SubmitOutcome submit(const SlurmScripts& scripts, const fs::path& study_file,
+SubmitOutcome submit(const SlurmScripts& scripts, const StudyFiles& files,
                      const std::vector<std::vector<std::string>>& keys) {
   SubmitOutcome outcome;
   Submission& submission = outcome.submission;
@@ -69,7 +73,7 @@ SubmitOutcome submit(const SlurmScripts& scripts, const fs::path& study_file,
   record.cluster = slurm_config().cluster;
   record.user = user_name();
   record.asked_at = std::time(nullptr);
-  prepare(scripts, study_file, keys, record);
+  prepare(scripts, files, keys, record);
   const SubmitAnswer array = sbatch(record.name, {}, (submission.folder / "array.sh").string());
   note(outcome.notes, array);
   if (array.taken) {

@@ -10,6 +10,12 @@
 
 namespace mpmstudy {
 
+/// What the elements of an array read.
+struct StudyFiles {
+  std::filesystem::path study;
+  std::filesystem::path points;  ///< from the folder of the study, or absolute; empty: none
+};
+
 struct SubmitOutcome {
   Submission submission;
   std::vector<std::string> notes;  ///< what sbatch said beside the numbers
@@ -17,12 +23,13 @@ struct SubmitOutcome {
   bool folder_kept = true;         ///< false: Slurm refused, and nothing is left
 };
 
-/// Writes the scripts, the keys of every shard, a copy of the study and the record to scripts.folder, then
-/// asks sbatch for the array and for the merge that depends on it. Where sbatch fails, squeue is asked
-/// whether Slurm took the job all the same. The folder goes only when Slurm has refused and does not know the
-/// job. Nothing that Slurm has taken is cancelled: a merge that it refuses is asked for again by the next
-/// run. Throws std::runtime_error where the folder cannot be written; nothing is submitted then.
-SubmitOutcome submit(const SlurmScripts& scripts, const std::filesystem::path& study_file,
+/// Writes the scripts, the keys of every shard, copies of the study and its points, and the record to
+/// scripts.folder, then asks sbatch for the array and for the merge that depends on it. Where sbatch fails,
+/// squeue is asked whether Slurm took the job all the same. The folder goes only when Slurm has refused and
+/// does not know the job. Nothing that Slurm has taken is cancelled: a merge that it refuses is asked for
+/// again by the next run. Throws std::runtime_error where the folder cannot be written; nothing is submitted
+/// then.
+SubmitOutcome submit(const SlurmScripts& scripts, const StudyFiles&,
                      const std::vector<std::vector<std::string>>& keys);
 
 /// Asks again for the merge of an array that is in the queue. What is wrong, or "".

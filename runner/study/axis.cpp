@@ -5,13 +5,36 @@
 #include <cmath>
 
 #include "runner/study/decimal.hpp"
+#include "runner/study/quasi_random.hpp"
 #include "runner/study/schema.hpp"
 
 namespace mpmstudy {
 namespace {
 
-constexpr std::array<std::string_view, 6> sweep_keys = {"values", "unit", "from", "to", "count", "spacing"};
 constexpr std::array<std::string_view, 2> spacings = {"linear", "log"};
+
+/// What a sweep of a quantity may begin with.
+struct Form {
+  std::string_view key;
+  std::vector<std::string_view> beside;  ///< the keys that go with it
+  std::string_view whole;                ///< for messages
+  std::optional<Spread> distribution = {};
+};
+const std::vector<Form>& forms() {
+  static const std::vector<Form> all = {
+      {"values", {"unit"}, "values = [...]"},
+      {"from", {"to", "count", "spacing", "unit"}, "from = ..., to = ..., count = ..."},
+      {"uniform", {"unit"}, "uniform = [from, to]", Spread::even},
+      {"log_uniform", {"unit"}, "log_uniform = [from, to]", Spread::logarithmic},
+      {"normal", {"unit"}, "normal = [mean, deviation]", Spread::normal}};
+  return all;
+}
+std::string all_forms() {
+  std::string text;
+  for (const Form& form : forms())
+    text += (text.empty() ? "" : &form == &forms().back() ? " or " : ", ") + std::string(form.whole);
+  return text + "; and unit";
+}
 
 /// Reads the parts of { ... } for one quantity; remembers whether something was wrong.
 class SweepTable {
@@ -21,18 +44,32 @@ class SweepTable {
       : row_(row), table_(table), whole_(whole), units_(units), mistakes_(mistakes) {}
 
   bool read(Axis& axis) {
+    const Form* chosen = nullptr;
+    for (const Form& form : forms()) {
+      if (!table_.find(form.key)) continue;
+      if (chosen) {
+        refuse(whole_, {"both " + std::string(chosen->key) + " and " + std::string(form.key),
+                        "allowed: one of them"});
+        return false;
+      }
+      chosen = &form;
+    }
+    if (!chosen && table_.find("to")) chosen = &forms()[1];  // what is missing is said there
+    if (!chosen) {
+      refuse(whole_, {"no sweep", "allowed: " + all_forms()});
+      for (const Entry& entry : table_.entries) refuse_key(nullptr, entry);
+      return false;
+    }
     for (const Entry& entry : table_.entries)
-      if (std::find(sweep_keys.begin(), sweep_keys.end(), entry.key) == sweep_keys.end())
-        refuse(key(entry.key), entry.value,
-               {"unknown key of a sweep", "allowed: values and unit, or from, to, count, unit, spacing"});
-    const Entry* values = table_.find("values");
-    const Entry* from = table_.find("from");
-    if (values && from) {
-      refuse(whole_, {"both values and from ... to", "allowed: one of them"});
-    } else if (!values && !from) {
-      refuse(whole_, {"no sweep", "allowed: values = [...], or from = ..., to = ..., count = ..."});
-    } else if (const auto conversion = read_unit()) {
-      values ? read_values(values->value, *conversion, axis) : read_range(*conversion, axis);
+      if (entry.key != chosen->key && std::ranges::find(chosen->beside, entry.key) == chosen->beside.end())
+        refuse_key(chosen, entry);
+    if (const auto conversion = read_unit()) {
+      if (chosen->distribution)
+        read_distribution(*chosen, *conversion, axis);
+      else if (chosen->key == "values")
+        read_values(table_.find("values")->value, *conversion, axis);
+      else
+        read_range(*conversion, axis);
     }
     return good_;
   }
@@ -45,6 +82,22 @@ class SweepTable {
     good_ = false;
   }
   void refuse(const Value& value, const Refusal& refusal) { this->refuse(row_.name, value, refusal); }
+
+  /// A key that does not go with the form that the sweep has; null: it has none.
+  void refuse_key(const Form* form, const Entry& entry) {
+    std::vector<std::string_view> all;
+    for (const Form& other : forms()) {
+      all.push_back(other.key);
+      for (const std::string_view beside : other.beside)
+        if (std::ranges::find(all, beside) == all.end()) all.push_back(beside);
+    }
+    const bool known = std::ranges::find(all, entry.key) != all.end();
+    if (!form && known) return;
+    refuse(key(entry.key), entry.value,
+           {known ? "does not go with " + std::string(form->key) : "unknown key of a sweep",
+            form ? "allowed beside " + std::string(form->key) + ": " + listed(form->beside)
+                 : "allowed: " + listed(all)});
+  }
 
   std::optional<Conversion> read_unit() {
     const Entry* unit = table_.find("unit");
@@ -68,9 +121,6 @@ class SweepTable {
   }
 
   void read_values(const Value& values, const Conversion& conversion, Axis& axis) {
-    for (const std::string_view other : {"to", "count", "spacing"})
-      if (const Entry* entry = table_.find(other))
-        refuse(key(other), entry->value, {"does not go with values", "allowed beside values: unit"});
     const List* list = values.list();
     if (!list || list->empty()) {
       refuse(key("values"), values,
@@ -90,28 +140,58 @@ class SweepTable {
     SweepRange range;
     range.conversion = conversion;
     read_spacing(range);
-    const auto from = read_end("from", range.from, range.from_text, conversion);
-    const auto to = read_end("to", range.to, range.to_text, conversion);
+    const auto end = [&](std::string_view name, double& number, std::string& text) -> std::optional<double> {
+      if (const Entry* entry = table_.find(name))
+        return read_end(name, entry->value, number, text, conversion);
+      refuse(whole_, {"'" + std::string(name) + "' is missing", "a range has from, to and count"});
+      return std::nullopt;
+    };
+    const auto from = end("from", range.from, range.from_text), to = end("to", range.to, range.to_text);
     read_count(range);
-    if (from && to && *from == *to) refuse(whole_, {"from and to are equal", "write a single value instead"});
-    if (good_ && range.logarithmic && !(range.from > 0 && range.to > 0))
-      refuse(whole_, {"a log spacing through zero", "allowed: from and to above zero"});
+    check_ends(from, to, range);
     axis.range = std::move(range);
   }
 
-  std::optional<double> read_end(std::string_view name, double& number, std::string& text,
+  /// { uniform = [from, to] }, ...
+  void read_distribution(const Form& form, const Conversion& conversion, Axis& axis) {
+    const Value& value = table_.find(form.key)->value;
+    const List* pair = value.list();
+    if (!pair || pair->size() != 2) {
+      refuse(key(form.key), value, {"not two numbers", "allowed: " + std::string(form.whole)});
+      return;
+    }
+    SweepRange range;
+    range.conversion = conversion;
+    range.is_distribution = true;
+    range.spread = *form.distribution;
+    const auto from = read_end(form.key, (*pair)[0], range.from, range.from_text, conversion);
+    if (range.spread != Spread::normal) {
+      check_ends(from, read_end(form.key, (*pair)[1], range.to, range.to_text, conversion), range);
+    } else if (const Number width = read_number((*pair)[1], Conversion{0, 1, 0}, {"1", mpm::Range::positive});
+               const auto* refusal = std::get_if<Refusal>(&width)) {
+      refuse(key(form.key), (*pair)[1], {refusal->wrong, "allowed: a standard deviation above zero"});
+    } else {
+      range.to_text = (*pair)[1].number_text();
+      range.to = std::get<double>(width);
+    }
+    axis.range = std::move(range);
+  }
+
+  void check_ends(const std::optional<double>& from, const std::optional<double>& to,
+                  const SweepRange& range) {
+    if (from && to && *from == *to) refuse(whole_, {"from and to are equal", "write a single value instead"});
+    if (good_ && range.spread == Spread::logarithmic && !(range.from > 0 && range.to > 0))
+      refuse(whole_, {"a log spacing through zero", "allowed: from and to above zero"});
+  }
+
+  std::optional<double> read_end(std::string_view name, const Value& value, double& number, std::string& text,
                                  const Conversion& conversion) {
-    const Entry* entry = table_.find(name);
-    if (!entry) {
-      refuse(whole_, {"'" + std::string(name) + "' is missing", "a range has from, to and count"});
-      return std::nullopt;
-    }
-    const Number si = read_number(entry->value, conversion, expected());
+    const Number si = read_number(value, conversion, expected());
     if (const auto* refusal = std::get_if<Refusal>(&si)) {
-      refuse(key(name), entry->value, *refusal);
+      refuse(key(name), value, *refusal);
       return std::nullopt;
     }
-    text = entry->value.number_text();
+    text = value.number_text();
     number = *scaled_decimal(text, 0);
     return std::get<double>(si);
   }
@@ -131,7 +211,7 @@ class SweepTable {
     if (!entry) return;
     const auto word = find_word(key("spacing"), entry->value, "spacing", spacings, mistakes_);
     good_ = good_ && word;
-    range.logarithmic = word == 1u;
+    range.spread = word == 1u ? Spread::logarithmic : Spread::even;
   }
 
   const mpm::Quantity& row_;
@@ -154,11 +234,21 @@ Axis begin_axis(const Entry& entry) {
 }  // namespace
 
 double SweepRange::at(double share) const {
-  if (share <= 0) return *conversion(from_text);
-  if (share >= 1) return *conversion(to_text);
-  const double written = logarithmic ? std::exp(std::log(from) + (std::log(to) - std::log(from)) * share)
-                                     : from + (to - from) * share;
-  return *conversion(shortest_text(round_to_12_digits(written)));  // between two ends that are in range
+  if (spread != Spread::normal && share <= 0) return *conversion(from_text);
+  if (spread != Spread::normal && share >= 1) return *conversion(to_text);
+  double written = 0;
+  switch (spread) {
+    case Spread::even:
+      written = from + (to - from) * share;
+      break;
+    case Spread::logarithmic:
+      written = std::exp(std::log(from) + (std::log(to) - std::log(from)) * share);
+      break;
+    case Spread::normal:
+      written = from + to * normal_quantile(share);
+      break;
+  }
+  return *conversion(shortest_text(round_to_12_digits(written)));
 }
 
 Point Axis::point(std::uint64_t i) const {

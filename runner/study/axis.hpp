@@ -20,15 +20,21 @@ struct Point {
   Place place;       ///< for messages
 };
 
-/// { from, to, count, unit, spacing }: kept as it is written, because a count may be absurd.
+/// How the values of a range are spread.
+enum class Spread { even, logarithmic, normal };
+
+/// { from, to, count, unit, spacing }, or a distribution { uniform | log_uniform | normal = [a, b], unit }:
+/// kept as it is written, because a count may be absurd.
 struct SweepRange {
-  double from = 0, to = 0;             ///< in the written unit
-  std::string from_text, to_text;      ///< the ends exactly
-  std::optional<std::uint64_t> count;  ///< random sampling needs none
-  bool logarithmic = false;
+  double from = 0, to = 0;             ///< in the written unit; of a normal one: mean and standard deviation
+  std::string from_text, to_text;      ///< the same exactly
+  std::optional<std::uint64_t> count;  ///< sampled modes need none
+  Spread spread = Spread::even;
+  bool is_distribution = false;  ///< written as one: of a sampled mode only
   Conversion conversion;
 
-  /// The point at 0 <= share <= 1, in SI; inner points are rounded to 12 digits of the written unit.
+  /// The point below which that share of the values lies, 0 <= share <= 1, in SI; all but the ends are
+  /// rounded to 12 digits of the written unit.
   double at(double share) const;
 };
 

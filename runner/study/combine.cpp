@@ -1,60 +1,37 @@
 #include "runner/study/combine.hpp"
 
 #include <algorithm>
+#include <string>
 
-#include "libmpm/core/enumerators.hpp"
+#include "runner/study/quasi_random.hpp"
 #include "runner/study/sampling.hpp"
-#include "runner/study/schema.hpp"
 
 namespace mpmstudy {
 namespace {
-
-constexpr auto mode_names = mpm::words<SweepMode>({{SweepMode::grid, "grid"},
-                                                   {SweepMode::zip, "zip"},
-                                                   {SweepMode::random, "random"},
-                                                   {SweepMode::latin_hypercube, "latin-hypercube"}});
-
-bool is_sampled(SweepMode mode) { return mode == SweepMode::random || mode == SweepMode::latin_hypercube; }
 
 std::optional<std::uint64_t> product(std::uint64_t a, std::uint64_t b) {
   std::uint64_t result = 0;
   return __builtin_mul_overflow(a, b, &result) ? std::nullopt : std::optional(result);
 }
 
-/// Reads a whole number that sampling needs and the other modes do not have.
-void read_whole(const Table& table, std::string_view key, std::int64_t least, SweepMode mode,
-                const Place& place, std::uint64_t& number, Mistakes& mistakes) {
-  const Entry* entry = table.find(key);
-  if (!is_sampled(mode)) {
-    if (entry)
-      mistakes.add(key, entry->value,
-                   {"does not go with this mode", "it belongs to random and latin-hypercube; remove it"});
-    return;
-  }
-  if (!entry) {
-    mistakes.add(place, key, {"missing", "random and latin-hypercube need samples = ... and seed = ..."});
-    return;
-  }
-  const auto* whole = std::get_if<std::int64_t>(&entry->value.data);
-  if (!whole || *whole < least)
-    mistakes.add(key, entry->value,
-                 {"not a whole number of " + std::to_string(least) + " or more",
-                  "write for example " + std::string(key) + " = 100"});
-  else
-    number = static_cast<std::uint64_t>(*whole);
-}
-
 /// Modes that draw points need a range on every axis, the others need a number of values.
 bool axis_suits(const SweepRequest& request, const Axis& axis, Mistakes& mistakes) {
-  const std::string mode(mode_names[static_cast<std::size_t>(request.mode)]);
+  const std::string mode(to_string(request.mode));
   if (is_sampled(request.mode) && !axis.range) {
     mistakes.add(axis.value_place, axis.name(), axis.written,
-                 {"a list of values in a " + mode + " sweep", "allowed: a range { from = ..., to = ... }"});
+                 {"a list of values in a " + mode + " sweep",
+                  "allowed: a range { from = ..., to = ... } or a distribution"});
     return false;
   }
   if (is_sampled(request.mode) && axis.quantity->range == mpm::Range::count) {
     mistakes.add(axis.value_place, axis.name(), axis.written,
                  {"whole numbers in a " + mode + " sweep", "sweep it in a grid or zip, with values = [...]"});
+    return false;
+  }
+  if (!is_sampled(request.mode) && axis.range && axis.range->is_distribution) {
+    mistakes.add(axis.value_place, axis.name(), axis.written,
+                 {"a distribution in a " + mode + " sweep",
+                  "write mode = \"sobol\", \"latin-hypercube\", ... in [sweep], or values = [...]"});
     return false;
   }
   if (!is_sampled(request.mode) && axis.range && !axis.range->count) {
@@ -63,6 +40,71 @@ bool axis_suits(const SweepRequest& request, const Axis& axis, Mistakes& mistake
     return false;
   }
   return true;
+}
+
+/// Axes whose values go together: one, or those of a group.
+struct Group {
+  std::vector<std::size_t> axes;
+  const ZipGroup* of = nullptr;  ///< null: one axis by itself, or mode "zip"
+};
+
+/// Of a grid or a zip, each where its first axis stands in the file.
+std::vector<Group> groups_of(const SweepRequest& request, const std::vector<const Axis*>& swept) {
+  std::vector<Group> groups;
+  for (std::size_t axis = 0; axis < swept.size(); ++axis) {
+    const ZipGroup* of = nullptr;
+    for (const ZipGroup& group : request.groups)
+      if (std::ranges::find(group.names, swept[axis]->name()) != group.names.end()) of = &group;
+    const auto known = std::ranges::find_if(
+        groups, [&](const Group& group) { return request.mode == SweepMode::zip || (of && group.of == of); });
+    if (known != groups.end())
+      known->axes.push_back(axis);
+    else
+      groups.push_back({{axis}, of});
+  }
+  return groups;
+}
+
+/// The axes of a group are swept, and have equally many values.
+bool groups_suit(const SweepRequest& request, const std::vector<const Axis*>& swept, Mistakes& mistakes) {
+  bool good = true;
+  for (const ZipGroup& group : request.groups)
+    for (const std::string& name : group.names) {
+      if (group.of_file || std::ranges::find(swept, name, &Axis::name) != swept.end()) continue;
+      std::string allowed;
+      for (const Axis* axis : swept) allowed += (allowed.empty() ? "" : ", ") + std::string(axis->name());
+      mistakes.add(group.place, group.key, group.written,
+                   {name + " is not swept", allowed.empty() ? "nothing is" : "allowed: " + allowed});
+      good = false;
+    }
+  for (const Group& group : groups_of(request, swept)) {
+    const auto differs = [&](std::size_t axis) {
+      return swept[axis]->size() != swept[group.axes.front()]->size();
+    };
+    if (std::ranges::none_of(group.axes, differs)) continue;
+    std::string sizes;
+    for (const std::size_t axis : group.axes)
+      sizes += (sizes.empty() ? "" : ", ") + std::string(swept[axis]->name()) + " has " +
+               std::to_string(swept[axis]->size());
+    mistakes.add(group.of ? group.of->place : request.place, group.of ? group.of->key : "mode",
+                 group.of ? group.of->written : request.written,
+                 {"a zip of unequal lengths", "all need the same number of values: " + sizes});
+    good = false;
+  }
+  return good;
+}
+
+UnitSamples samples_of(const SweepRequest& request, std::size_t axes, std::uint64_t samples) {
+  switch (request.mode) {
+    case SweepMode::sobol:
+      return sobol_points(samples, axes, request.seed);
+    case SweepMode::halton:
+      return halton_points(samples, axes, request.seed);
+    case SweepMode::latin_hypercube:
+      return latin_hypercube(samples, axes, request.seed);
+    default:
+      return random_samples(samples, axes, request.seed);
+  }
 }
 
 bool is_override(const Place& place) { return place.line == 0 && !place.file.empty(); }
@@ -97,23 +139,6 @@ void refuse_count(const SweepRequest& request, const std::vector<const Axis*>& s
 
 }  // namespace
 
-std::optional<SweepRequest> read_sweep(const Table* table, Mistakes& mistakes) {
-  SweepRequest request;
-  if (!table) return request;
-  if (const Entry* entry = table->find("mode")) {
-    const auto word = find_word("mode", entry->value, "mode", mode_names, mistakes);
-    if (!word) return std::nullopt;
-    request.mode = static_cast<SweepMode>(*word);
-    request.place = entry->value.place;
-    request.written = entry->value.written();
-  }
-  if (const Entry* entry = table->find("samples")) request.samples_place = entry->value.place;
-  read_whole(*table, "samples", 1, request.mode, request.place, request.samples, mistakes);
-  read_whole(*table, "seed", 0, request.mode, request.place, request.seed, mistakes);
-  if (is_sampled(request.mode) && request.samples == 0) return std::nullopt;
-  return request;
-}
-
 std::optional<std::uint64_t> count_jobs(const SweepRequest& request, const std::vector<const Axis*>& swept,
                                         std::uint64_t most_jobs, const Place& file, Mistakes& mistakes) {
   bool good = true;
@@ -122,28 +147,18 @@ std::optional<std::uint64_t> count_jobs(const SweepRequest& request, const std::
 
   const bool needs_axes = request.mode != SweepMode::grid;
   if (needs_axes && swept.empty()) {
-    mistakes.add(request.place, "mode", request.written,
-                 {"nothing is swept", "give a parameter several values, or remove [sweep]"});
+    if (mistakes.empty())  // else what is swept may be what is wrong
+      mistakes.add(request.place, "mode", request.written,
+                   {"nothing is swept", "give a parameter several values, or remove [sweep]"});
     return std::nullopt;
   }
   std::optional<std::uint64_t> jobs = 1;
   if (is_sampled(request.mode)) {
     jobs = request.samples;
-  } else if (request.mode == SweepMode::zip) {
-    jobs = swept.front()->size();
-    std::string sizes;
-    for (const Axis* axis : swept) {
-      sizes +=
-          (sizes.empty() ? "" : ", ") + std::string(axis->name()) + " has " + std::to_string(axis->size());
-      good = good && axis->size() == *jobs;
-    }
-    if (!good) {
-      mistakes.add(request.place, "mode", request.written,
-                   {"a zip of unequal lengths", "all need the same number of values: " + sizes});
-      return std::nullopt;
-    }
   } else {
-    for (const Axis* axis : swept) jobs = jobs ? product(*jobs, axis->size()) : jobs;
+    if (!groups_suit(request, swept, mistakes)) return std::nullopt;
+    for (const Group& group : groups_of(request, swept))
+      jobs = jobs ? product(*jobs, swept[group.axes.front()]->size()) : jobs;
   }
   if (jobs && *jobs <= most_jobs) return jobs;
   refuse_count(request, swept, jobs, most_jobs, file, mistakes);
@@ -154,20 +169,21 @@ Combinations::Combinations(const SweepRequest& request, const std::vector<const 
                            std::uint64_t jobs)
     : jobs_(jobs), columns_(swept.size()) {
   if (is_sampled(request.mode)) {
-    const auto samples = request.mode == SweepMode::random
-                             ? random_samples(jobs, swept.size(), request.seed)
-                             : latin_hypercube(jobs, swept.size(), request.seed);
+    const UnitSamples samples = samples_of(request, swept.size(), jobs);
     for (std::size_t axis = 0; axis < swept.size(); ++axis)
       for (const auto& sample : samples)
         columns_[axis].points.push_back({swept[axis]->range->at(sample[axis]), swept[axis]->value_place});
     return;
   }
   std::uint64_t stride = 1;
-  for (std::size_t axis = swept.size(); axis-- > 0;) {
-    Column& column = columns_[axis];
-    for (std::uint64_t i = 0; i < swept[axis]->size(); ++i) column.points.push_back(swept[axis]->point(i));
-    column.stride = stride;
-    if (request.mode == SweepMode::grid) stride *= column.points.size();
+  const auto groups = groups_of(request, swept);
+  for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
+    for (const std::size_t axis : group->axes) {
+      Column& column = columns_[axis];
+      for (std::uint64_t i = 0; i < swept[axis]->size(); ++i) column.points.push_back(swept[axis]->point(i));
+      column.stride = stride;
+    }
+    stride *= swept[group->axes.front()]->size();
   }
 }
 

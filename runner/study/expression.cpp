@@ -131,6 +131,40 @@ std::string stand_in(std::size_t number, std::size_t size) {
   return name;
 }
 
+/// Operators in place of those of the parser, which compares to the last bit.
+void compare_to_12_digits(mu::Parser& parser) {
+  static const auto more = [](double a, double b) {
+    return a - b > 1e-12 * std::max(std::abs(a), std::abs(b));
+  };
+  parser.EnableBuiltInOprt(false);
+  parser.DefineOprt(
+      ">", [](double a, double b) { return double(more(a, b)); }, mu::prCMP);
+  parser.DefineOprt(
+      "<", [](double a, double b) { return double(more(b, a)); }, mu::prCMP);
+  parser.DefineOprt(
+      ">=", [](double a, double b) { return double(!more(b, a)); }, mu::prCMP);
+  parser.DefineOprt(
+      "<=", [](double a, double b) { return double(!more(a, b)); }, mu::prCMP);
+  parser.DefineOprt(
+      "==", [](double a, double b) { return double(!more(a, b) && !more(b, a)); }, mu::prCMP);
+  parser.DefineOprt(
+      "!=", [](double a, double b) { return double(more(a, b) || more(b, a)); }, mu::prCMP);
+  parser.DefineOprt(
+      "&&", [](double a, double b) { return double(a != 0 && b != 0); }, mu::prLAND);
+  parser.DefineOprt(
+      "||", [](double a, double b) { return double(a != 0 || b != 0); }, mu::prLOR);
+  parser.DefineOprt(
+      "+", [](double a, double b) { return a + b; }, mu::prADD_SUB);
+  parser.DefineOprt(
+      "-", [](double a, double b) { return a - b; }, mu::prADD_SUB);
+  parser.DefineOprt(
+      "*", [](double a, double b) { return a * b; }, mu::prMUL_DIV);
+  parser.DefineOprt(
+      "/", [](double a, double b) { return a / b; }, mu::prMUL_DIV);
+  parser.DefineOprt(
+      "^", [](double a, double b) { return std::pow(a, b); }, mu::prPOW, mu::oaRIGHT);
+}
+
 /// By how much a number of that dimension grows when base unit k becomes smaller by `factor`.
 double growth(const Dimension& dimension, std::size_t k, double factor) {
   return std::pow(factor, dimension.powers[k]);
@@ -181,7 +215,12 @@ struct Expression::Parsed {
     std::optional<int> found;
     for (int which = 0; which < samples; ++which) {
       const double before = sample(which, k, 1);
-      if (!std::isfinite(before) || before == 0) continue;
+      if (!std::isfinite(before)) continue;
+      if (before == 0) {  // also of a comparison that does not hold, which may hold in other units
+        for (const double factor : {1e9, 1e-9})
+          if (sample(which, k, factor) == 1) return std::nullopt;
+        continue;
+      }
       is_zero = false;
       // the large ones turn comparisons of different things
       for (const double factor : {3.0, 0.7, 1e9, 1e-9}) {
@@ -199,7 +238,8 @@ struct Expression::Parsed {
 
 std::variant<Expression, ExpressionRefusal> Expression::read(std::string_view text, const Units& units,
                                                              const DimensionOf& dimension_of,
-                                                             const std::vector<std::string>& names) {
+                                                             const std::vector<std::string>& names,
+                                                             Comparison comparison) {
   auto parsed = std::make_shared<Parsed>();
   std::string to_parse(text);
   const auto is_parameter = [&](std::string_view name) { return dimension_of(name).has_value(); };
@@ -250,6 +290,7 @@ std::variant<Expression, ExpressionRefusal> Expression::read(std::string_view te
   constexpr const char* characters = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ@";
   try {
     parser.DefineNameChars(characters);
+    if (comparison == Comparison::to_12_digits) compare_to_12_digits(parser);
     parser.DefineConst(std::string(pi_name), 3.14159265358979323846);
     parser.DefineFun("pow", [](double base, double power) { return std::pow(base, power); });
     for (std::size_t k = 0; k < parsed->literals.size(); ++k) {

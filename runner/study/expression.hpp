@@ -16,6 +16,10 @@
 
 namespace mpmstudy {
 
+/// How numbers are compared. to_12_digits: two that agree so far are equal, so that 1.2 um is not more than 1
+/// um + 0.2 um, whatever rounding makes of the sum.
+enum class Comparison { exact, to_12_digits };
+
 /// Why a text is no expression.
 struct ExpressionRefusal : Refusal {
   std::size_t at = 0;  ///< where in the text, in characters from 0
@@ -29,7 +33,8 @@ class Expression {
   /// `names`: all that may be used, for messages. Numbers may have units: they become SI.
   static std::variant<Expression, ExpressionRefusal> read(std::string_view text, const Units&,
                                                           const DimensionOf&,
-                                                          const std::vector<std::string>& names);
+                                                          const std::vector<std::string>& names,
+                                                          Comparison = Comparison::exact);
 
   /// The parameters that it is made of, each once.
   const std::vector<std::string>& names() const;

@@ -11,14 +11,16 @@ namespace mpmstudy {
 void Mistakes::add(const Place& place, std::string_view key, std::string_view value, const Refusal& refusal) {
   std::string odd = odd_character(value);
   if (odd.empty()) odd = odd_character(key);
-  keep(place, std::string(key) + " = " + std::string(value) + ": " + refusal.wrong +
-                  (odd.empty() ? "" : " (it " + odd + ")") + "; " + refusal.allowed);
+  keep(place, key,
+       std::string(key) + " = " + std::string(value) + ": " + refusal.wrong +
+           (odd.empty() ? "" : " (it " + odd + ")") + "; " + refusal.allowed);
 }
 
 void Mistakes::add(const Place& place, std::string_view key, const Refusal& refusal) {
   const std::string odd = odd_character(key);
-  keep(place, std::string(key) + ": " + refusal.wrong + (odd.empty() ? "" : " (it " + odd + ")") + "; " +
-                  refusal.allowed);
+  keep(place, key,
+       std::string(key) + ": " + refusal.wrong + (odd.empty() ? "" : " (it " + odd + ")") + "; " +
+           refusal.allowed);
 }
 
 void Mistakes::add(const Mistakes& other) {
@@ -26,10 +28,11 @@ void Mistakes::add(const Mistakes& other) {
     if (std::ranges::find(lines_, line.text, &Line::text) == lines_.end()) lines_.push_back(line);
 }
 
-void Mistakes::keep(const Place& place, std::string text) {
+void Mistakes::keep(const Place& place, std::string_view key, std::string text) {
   text = printable(place.text() + ": " + text);
   const auto same = [&](const Line& line) { return line.text == text; };
-  if (std::none_of(lines_.begin(), lines_.end(), same)) lines_.push_back({place, std::move(text)});
+  if (std::none_of(lines_.begin(), lines_.end(), same))
+    lines_.push_back({place, std::string(key), std::move(text)});
 }
 
 void Mistakes::throw_if_any() const {

@@ -28,15 +28,19 @@ class Mistakes {
   void add(const Mistakes&);
 
   bool empty() const { return lines_.empty(); }
+  std::size_t size() const { return lines_.size(); }
+  /// The key and the whole line of the first one; there is one.
+  const std::string& first_key() const { return lines_.front().key; }
+  const std::string& first_line() const { return lines_.front().text; }
   /// Throws StudyError with a line each, in the order of the file; does nothing if there is none.
   void throw_if_any() const;
 
  private:
   struct Line {
     Place place;
-    std::string text;
+    std::string key, text;
   };
-  void keep(const Place&, std::string text);
+  void keep(const Place&, std::string_view key, std::string text);
   std::vector<Line> lines_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "runner/study/requirement.hpp"
 #include "runner/study/schema.hpp"
 
 namespace mpmstudy {
@@ -54,6 +55,7 @@ OwnParameters::OwnParameters(const Table& document, std::optional<mpm::SceneKind
   std::set<std::string> used;
   for (const Entry& table : document.entries)
     if (!table.value.string() && may_have_expressions(table.key)) add_names(table.value, used);
+  for (std::string& name : names_in_requirements(document.find_table("sweep"))) used.insert(std::move(name));
   std::vector<std::string_view> unknown;  // names in expressions that the file gives nowhere
   for (const std::string& name : used) {
     const bool given = std::ranges::any_of(document.entries, [&](const Entry& table) {

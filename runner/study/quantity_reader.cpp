@@ -4,20 +4,26 @@
 
 namespace mpmstudy {
 
-std::optional<Expression> read_expression(std::string_view key, const Value& value, const Expected& expected,
-                                          const Units& units, const KnownParameters& known,
-                                          Mistakes& mistakes) {
-  auto read = Expression::read(*value.string(), units, known.dimension, known.names);
+std::optional<Expression> parse_expression(std::string_view key, const Value& value, const Units& units,
+                                           const KnownParameters& known, Mistakes& mistakes,
+                                           Comparison comparison) {
+  auto read = Expression::read(*value.string(), units, known.dimension, known.names, comparison);
   if (const auto* refusal = std::get_if<ExpressionRefusal>(&read)) {
     Place place = value.place;
     if (place.line > 0) place.column += static_cast<std::uint32_t>(1 + refusal->at);  // behind the quote
     mistakes.add(place, key, value.written(), *refusal);
     return std::nullopt;
   }
-  auto& expression = std::get<Expression>(read);
-  if (expression.has(units.dimension(expected.unit).value_or(Dimension{}))) return std::move(expression);
+  return std::move(std::get<Expression>(read));
+}
+
+std::optional<Expression> read_expression(std::string_view key, const Value& value, const Expected& expected,
+                                          const Units& units, const KnownParameters& known,
+                                          Mistakes& mistakes) {
+  auto expression = parse_expression(key, value, units, known, mistakes);
+  if (!expression || expression->has(units.dimension(expected.unit).value_or(Dimension{}))) return expression;
   mistakes.add(key, value,
-               {"is a quantity in " + expression.dimension().text(),
+               {"is a quantity in " + expression->dimension().text(),
                 "allowed: " + allowed_quantity(expected) + ", or an expression of that unit"});
   return std::nullopt;
 }

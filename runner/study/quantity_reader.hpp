@@ -22,6 +22,10 @@ struct KnownParameters {
 /// The value of a parameter in one job [SI].
 using ValueOf = std::function<double(const std::string& name)>;
 
+/// Reads a text as an expression of any unit. Empty after adding a mistake, with the column where it is.
+std::optional<Expression> parse_expression(std::string_view key, const Value&, const Units&,
+                                           const KnownParameters&, Mistakes&, Comparison = Comparison::exact);
+
 /// Reads a text as an expression of that unit. Empty after adding a mistake, with the column where it is.
 std::optional<Expression> read_expression(std::string_view key, const Value&, const Expected&, const Units&,
                                           const KnownParameters&, Mistakes&);

@@ -11,6 +11,7 @@
 #include "runner/study/ladder.hpp"
 #include "runner/study/overrides.hpp"
 #include "runner/study/own_parameters.hpp"
+#include "runner/study/points_file.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/requests.hpp"
 #include "runner/study/scenes.hpp"
@@ -32,6 +33,9 @@ class Reader {
 
   Study read() {
     apply_overrides(document_, options_.set, mistakes_);
+    const auto points = add_points(document_, study_.path, mistakes_);
+    if (!points && table("sweep") && table("sweep")->find("points"))
+      mistakes_.throw_if_any();  // without its columns the rest would be said to be missing
     read_top();
     read_material();
     read_parameters();
@@ -40,7 +44,8 @@ class Reader {
     read_ladder_of_cells();
     read_requests();
     check_complete();
-    const auto sweep = read_sweep(table("sweep"), mistakes_);
+    auto sweep = read_sweep(table("sweep"), mistakes_);
+    if (sweep && points) add_group(*sweep, *points);
     const auto swept = swept_axes(request_);
     for (const Axis* axis : swept) study_.swept.emplace_back(axis->name());
     std::optional<std::uint64_t> jobs;
@@ -49,7 +54,10 @@ class Reader {
     request_.units = study_.units;
     request_.cells = study_.ladder.finds_cell ? 1 : options_.cells;
     if (bodies_) request_.bodies = &*bodies_;
-    study_.scenes = build_scenes(request_, Combinations(*sweep, swept, *jobs), mistakes_);
+    read_requirements_of(*sweep);
+    SweptScenes built = build_scenes(request_, Combinations(*sweep, swept, *jobs), mistakes_);
+    study_.scenes = std::move(built.scenes);
+    study_.skipped = std::move(built.skipped);
     mistakes_.throw_if_any();
     if (study_.search && study_.ladder.cells > 1) sweep_ladder();
     check_figure_files(document_, study_.scenes.size(), mistakes_);
@@ -63,6 +71,25 @@ class Reader {
   Place place_of_table(std::string_view name) const {
     const Entry* entry = document_.find(name);
     return entry ? entry->place : top_;
+  }
+
+  /// The columns of `points`; a parameter that is one is in no other group.
+  void add_group(SweepRequest& sweep, const ZipGroup& columns) {
+    for (const ZipGroup& group : sweep.groups)
+      for (const std::string& name : group.names)
+        if (std::ranges::find(columns.names, name) != columns.names.end())
+          mistakes_.add(group.place, group.key, group.written,
+                        {name + " is a column of points, whose columns go together", "remove it here"});
+    sweep.groups.push_back(columns);
+    study_.points_file = *table("sweep")->find("points")->value.string();
+  }
+
+  void read_requirements_of(const SweepRequest& sweep) {
+    request_.requirements = read_requirements(table("sweep"), study_.search ? study_.search->critical : "",
+                                              units_, own_->known(mistakes_), mistakes_);
+    request_.skips_invalid = sweep.skips_invalid;
+    request_.invalid_place = sweep.invalid_place;
+    mistakes_.throw_if_any();
   }
 
   void read_top() {

@@ -9,8 +9,10 @@
 
 #include "libmpm/scene/effect.hpp"
 #include "runner/study/decimal.hpp"
+#include "runner/study/job_values.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/readable.hpp"
+#include "runner/study/selection.hpp"
 #include "runner/study/written_unit.hpp"
 
 namespace mpmstudy {
@@ -21,40 +23,6 @@ constexpr double default_area_samples = 320;
 
 /// After so many jobs with mistakes the rest would tell a user nothing new.
 constexpr int most_bad_jobs = 20;
-
-constexpr std::string_view space_name = "space";
-
-constexpr std::size_t not_swept = static_cast<std::size_t>(-1);
-
-struct Assignment {
-  const Axis* axis = nullptr;
-  std::size_t column = not_swept;  ///< of Combinations
-
-  const Point& point(const Combinations& combinations, std::uint64_t job) const {
-    return column == not_swept ? axis->points[0] : combinations.at(job, column);
-  }
-};
-
-/// The material and the space first, which bring numbers of their own, then in the order of the parameter
-/// table, quantities first: later rows may be made of earlier ones.
-std::vector<Assignment> assignments(const SceneRequest& request) {
-  std::vector<Assignment> unordered;
-  std::size_t column = 0;
-  for (const Axis& axis : request.axes) unordered.push_back({&axis, axis.swept ? column++ : not_swept});
-  std::vector<Assignment> ordered;
-  const auto take = [&](std::string_view name) {
-    for (const Assignment& one : unordered)
-      if (one.axis->name() == name) ordered.push_back(one);
-  };
-  for (const Assignment& one : unordered)
-    if (one.axis->own) ordered.push_back(one);
-  take(mpm::material_choice().name);
-  take(space_name);
-  for (const mpm::Quantity& row : mpm::quantities()) take(row.name);
-  for (const mpm::Choice& row : mpm::choices())
-    if (row.name != space_name) take(row.name);
-  return ordered;
-}
 
 mpm::Scene base_scene(const SceneRequest& request) {
   mpm::Scene scene;
@@ -79,18 +47,14 @@ class Reporter {
            const Combinations& combinations, Mistakes& mistakes)
       : request_(request), assignments_(assignments), combinations_(combinations), mistakes_(mistakes) {}
 
-  /// Returns whether the job has a mistake.
-  bool check(const mpm::Scene& scene, std::uint64_t job) {
-    bool bad = false;
+  void check(const mpm::Scene& scene, std::uint64_t job) {
     for (const Point& snapshot : request_.snapshots)
       if (snapshot.value > scene.end_time) {
-        bad = true;
         const auto text = [&](double time) { return in_written_unit(time, "s", "end_time", request_.units); };
         mistakes_.add(snapshot.place, "snapshots", text(snapshot.value),
                       {"after the end of the run", "allowed: up to end_time = " + text(scene.end_time)});
       }
     for (const mpm::Problem& problem : mpm::find_problems(scene)) {
-      bad = true;
       if (add_to_gauge(problem)) continue;
       const Assignment* source = source_of(problem.parameter);
       const bool as_written = source && source->column == not_swept &&
@@ -107,7 +71,7 @@ class Reporter {
                     problem.parameter, written,
                     {wrong, "allowed: " + in_file_units(problem.allowed, problem.parameter)});
     }
-    return bad || check_ladder(scene);
+    if (mistakes_.empty()) check_ladder(scene);
   }
 
  private:
@@ -129,18 +93,16 @@ class Reporter {
   }
 
   /// The other end of a ladder of cells has to be a scene, too.
-  bool check_ladder(mpm::Scene scene) {
+  void check_ladder(mpm::Scene scene) {
     const LadderRequest& ladder = request_.ladder;
     double& cell = scene.numerics.cell_size;
     cell = finer_cell(cell, ladder.finds_cell ? ladder.cells - 1 : 1 - ladder.cells);
-    const auto wrong = mpm::find_problems(scene);
-    for (const mpm::Problem& problem : wrong)
+    for (const mpm::Problem& problem : mpm::find_problems(scene))
       mistakes_.add(request_.ladder_place, "ladder", std::to_string(ladder.cells),
                     {"makes a cell of " + in_written_unit(cell, "m", "cell_size", request_.units) +
                          (request_.cells == 1 ? "" : fmt::format(", with --cells {}", request_.cells)),
                      "allowed: fewer cells, or a cell_size whose ladder keeps " + problem.parameter + " " +
                          in_file_units(problem.allowed, problem.parameter)});
-    return !wrong.empty();
   }
 
   const Place& other_place(const std::string& parameter) const {
@@ -181,29 +143,21 @@ void place_gauge(const GaugeRequest& request, const ValueOf& value, mpm::Gauge& 
   }
 }
 
-/// The values of parameters in one job.
-class JobValues {
- public:
-  JobValues(const std::vector<Assignment>& assignments, const Combinations& combinations)
-      : assignments_(assignments), combinations_(combinations) {}
-
-  void of_job(std::uint64_t job) { job_ = job; }
-  double operator()(const Assignment& one) const {
-    return one.axis->expression ? one.axis->expression->value(std::cref(*this))
-                                : one.point(combinations_, job_).value;
+/// Points between the ends of a range, and those of a distribution, that their quantity cannot have.
+void check_ranges(const SceneRequest& request, const std::vector<Assignment>& assignments,
+                  const Combinations& combinations, std::uint64_t job, Mistakes& mistakes) {
+  for (const Assignment& one : assignments) {
+    if (one.column == not_swept || !one.axis->range) continue;
+    const Point& point = one.point(combinations, job);
+    const mpm::Quantity& row = *one.axis->quantity;
+    const Number number = in_range(point.value, {row.unit, row.range});
+    if (const auto* refusal = std::get_if<Refusal>(&number))
+      mistakes.add(
+          point.place, row.name, one.axis->written,
+          {"makes " + in_written_unit(point.value, row.unit, row.name, request.units) + ", " + refusal->wrong,
+           refusal->allowed});
   }
-  /// Not a number where it has none: expressions have names that the file gives, and choices have no value.
-  double operator()(const std::string& name) const {
-    for (const Assignment& one : assignments_)
-      if (one.axis->quantity && one.axis->name() == name) return (*this)(one);
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-
- private:
-  const std::vector<Assignment>& assignments_;
-  const Combinations& combinations_;
-  std::uint64_t job_ = 0;
-};
+}
 
 }  // namespace
 
@@ -214,40 +168,39 @@ std::vector<const Axis*> swept_axes(const SceneRequest& request) {
   return swept;
 }
 
-std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinations& combinations,
-                                     Mistakes& mistakes) {
-  const std::vector<Assignment> ordered = assignments(request);
-  for (const Assignment& one : ordered) {
-    if (one.column == not_swept || !one.axis->range) continue;
-    for (const Point& point : combinations.points(one.column)) {
-      const mpm::Quantity& row = *one.axis->quantity;
-      const Number number = in_range(point.value, {row.unit, row.range});
-      if (const auto* refusal = std::get_if<Refusal>(&number))
-        mistakes.add(point.place, row.name, one.axis->written,
-                     {"makes " + in_written_unit(point.value, row.unit, row.name, request.units) + ", " +
-                          refusal->wrong,
-                      refusal->allowed});
-    }
-  }
-  if (!mistakes.empty()) return {};
-
+SweptScenes build_scenes(const SceneRequest& request, const Combinations& combinations, Mistakes& mistakes) {
+  const std::vector<Assignment> ordered = assignments(request.axes);
   const mpm::Scene base = base_scene(request);
-  Reporter reporter(request, ordered, combinations, mistakes);
-  std::vector<mpm::Scene> scenes;
-  scenes.reserve(combinations.jobs());
   const bool names_kernel =
       std::ranges::any_of(ordered, [](const Assignment& one) { return one.axis->name() == "kernel"; });
-  int bad_jobs = 0;
   JobValues value(ordered, combinations);
+  Selection selection(request, value);
+  SweptScenes swept;
+  swept.scenes.reserve(combinations.jobs());
+  int bad_jobs = 0;
+  const auto refuse = [&](const Mistakes& of_job) {
+    if (request.skips_invalid) {
+      selection.skip(of_job.first_key() + " cannot be run", of_job.first_line());
+    } else {
+      mistakes.add(of_job);
+      ++bad_jobs;
+    }
+  };
   for (std::uint64_t job = 0; job < combinations.jobs() && bad_jobs < most_bad_jobs; ++job) {
-    mpm::Scene& scene = scenes.emplace_back(base);
     value.of_job(job);
-    Mistakes of_values;
+    if (!selection.wants(mistakes)) continue;
+    Mistakes of_job;
+    check_ranges(request, ordered, combinations, job, of_job);
+    if (!of_job.empty()) {
+      refuse(of_job);
+      continue;
+    }
+    mpm::Scene scene = base;
     for (const Assignment& one : ordered) {
       const double si = value(one);
       if (one.axis->expression &&
           !expression_value(one.axis->value_place, one.axis->name(), one.axis->written, si,
-                            {one.axis->quantity->unit, one.axis->quantity->range}, of_values))
+                            {one.axis->quantity->unit, one.axis->quantity->range}, of_job))
         continue;
       if (one.axis->own)
         scene.labels.push_back({std::string(one.axis->name()), si, std::string(one.axis->quantity->unit)});
@@ -257,21 +210,25 @@ std::vector<mpm::Scene> build_scenes(const SceneRequest& request, const Combinat
         one.axis->choice->set(scene, static_cast<std::size_t>(si));
       if (one.axis->name() == space_name) scene.numerics = mpm::default_numerics(scene.kind, scene.space);
     }
-    if (request.bodies) request.bodies->apply(scene, std::cref(value), of_values);
+    if (request.bodies) request.bodies->apply(scene, std::cref(value), of_job);
     for (std::size_t k = 0; k < request.gauges.size(); ++k)
-      place_gauge(request.gauges[k], std::cref(value), scene.measures.gauges[k], of_values);
-    if (!of_values.empty()) {
-      mistakes.add(of_values);
-      ++bad_jobs;
+      place_gauge(request.gauges[k], std::cref(value), scene.measures.gauges[k], of_job);
+    if (!of_job.empty()) {
+      refuse(of_job);
       continue;  // what follows compares numbers that have to be there
     }
     if (!names_kernel && !mpm::fast_step_has(scene)) scene.numerics.kernel = mpm::Kernel::reference;
     if (request.ladder.finds_cell) scene.numerics.cell_size = coarsest_cell(scene);
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
     if (scene.measures.detached_for == 0) scene.measures.detached_for = mpm::default_detached_for(scene);
-    bad_jobs += reporter.check(scene, job);
+    Reporter(request, ordered, combinations, of_job).check(scene, job);
+    if (of_job.empty())
+      swept.scenes.push_back(std::move(scene));
+    else
+      refuse(of_job);
   }
-  return scenes;
+  swept.skipped = selection.end(swept.scenes.empty(), combinations.jobs(), mistakes);
+  return swept;
 }
 
 }  // namespace mpmstudy

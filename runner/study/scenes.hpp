@@ -10,6 +10,7 @@
 #include "runner/study/gauges.hpp"
 #include "runner/study/ladder_request.hpp"
 #include "runner/study/mistakes.hpp"
+#include "runner/study/requirement.hpp"
 #include "runner/study/study.hpp"
 
 namespace mpmstudy {
@@ -28,12 +29,21 @@ struct SceneRequest {
   Place ladder_place;              ///< of its key
   Place place;                     ///< of `scene`, for mistakes with values that the file does not name
   BodiesReader* bodies = nullptr;  ///< of scenes of bodies
+  std::vector<Requirement> requirements;
+  bool skips_invalid = false;  ///< points without a scene are no mistakes
+  Place invalid_place;         ///< of its key
+};
+
+struct SweptScenes {
+  std::vector<mpm::Scene> scenes;  ///< one per job
+  std::vector<SkippedPoints> skipped;
 };
 
 /// The swept ones of the request's axes, in the order of the file.
 std::vector<const Axis*> swept_axes(const SceneRequest&);
 
-/// One scene per job. What mpm::find_problems has to say is added at the place of the value it is about.
-std::vector<mpm::Scene> build_scenes(const SceneRequest&, const Combinations&, Mistakes&);
+/// What mpm::find_problems has to say is added at the place of the value it is about, unless such points are
+/// skipped.
+SweptScenes build_scenes(const SceneRequest&, const Combinations&, Mistakes&);
 
 }  // namespace mpmstudy

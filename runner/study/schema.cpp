@@ -20,7 +20,7 @@ const std::vector<Keys>& other_keys() {
       {"", {"schema", "name", "title", "scene"}},
       {"parameters", {mpm::material_choice().name}},
       {"material", {}},
-      {"sweep", {"mode", "samples", "seed"}},
+      {"sweep", {"mode", "samples", "seed", "points", "zip", "require", "invalid"}},
       {"numerics", {"accuracy", "accuracy_of", "ladder"}},
       {"measure", {"snapshots"}},
       {"search", {"critical", "outcome", "between", "tolerance"}},

@@ -78,6 +78,13 @@ struct OwnParameter {
   std::string place;  ///< where it is said: "studies/a.toml:12:16"
 };
 
+/// Points of a sweep that are no jobs, because [sweep] says invalid = "skip".
+struct SkippedPoints {
+  std::string why;    ///< "require = \"a > b\" does not hold", "cavity_radius cannot be run"
+  std::string first;  ///< the first such point, or what is wrong with it
+  std::uint64_t points = 0;
+};
+
 struct Study {
   std::filesystem::path path;
   std::string name;
@@ -89,8 +96,10 @@ struct Study {
   std::vector<OwnParameter> own;    ///< parameters of the study's own, in file order
   WrittenUnits units;               ///< of what is given with a unit and of what is searched
   std::vector<mpm::Scene> scenes;   ///< one per job, in the order of the sweep, every one without mistakes
-  std::vector<mpm::Gauge> gauges;   ///< of every scene, by name
-  LadderRequest ladder;             ///< under every scene, whose cell is one end of it
+  std::vector<SkippedPoints> skipped;  ///< in addition to the scenes
+  std::string points_file;             ///< of [sweep], from the folder of the study file; "": none
+  std::vector<mpm::Gauge> gauges;      ///< of every scene, by name
+  LadderRequest ladder;                ///< under every scene, whose cell is one end of it
   std::string material_place;  ///< where the material is named; its constants stand for what is not given
   std::string ladder_place;    ///< where more than one cell is asked for; "": nowhere
   std::optional<SearchRequest> search;

@@ -6,6 +6,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "runner/catalog/query.hpp"
 #include "tests/temporary_folder.hpp"
@@ -34,13 +36,17 @@ void PrintTo(const Example& e, std::ostream* out) { *out << e.name; }
 class Examples : public testing::TestWithParam<Example> {
  protected:
   /// Runs the program; its exit code.
-  int run(const std::string& more = "") const {
+  int run(const std::string& more = "", const std::string& verb = "run") const {
     const Example& e = GetParam();
-    const std::string command = "cd '" + folder.path().string() +
-                                "' && '" PROGRAM "' run '" SOURCE_DIR "/studies/examples/" + e.name +
-                                ".toml' " + e.options + more + " > out 2> err";
+    const std::string command = "cd '" + folder.path().string() + "' && '" PROGRAM "' " + verb +
+                                " '" SOURCE_DIR "/studies/examples/" + e.name + ".toml' " + e.options + more +
+                                " > out 2> err";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string text_of(const std::string& file) const {
+    std::ifstream stream(folder.path() / file);
+    return {std::istreambuf_iterator<char>(stream), {}};
   }
   TemporaryFolder folder;
 };
@@ -67,6 +73,20 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Examples,
                            std::erase(name, '-');
                            return name;
                          });
+
+/// Points of a file; what is skipped is said by plan, check and the end of a run.
+class Design : public Examples {};
+TEST_P(Design, SaysWhatIsSkipped) {
+  ASSERT_EQ(run(), 0);
+  EXPECT_EQ(whole(folder.path() / "results", "SELECT count(*) FROM jobs WHERE status = 'done'"), 8);
+  const std::string said = "2 of 10 points of the sweep are skipped";
+  EXPECT_NE(text_of("out").find(said), std::string::npos);
+  for (const char* verb : {"plan", "check"}) {
+    ASSERT_EQ(run("", verb), 0);
+    EXPECT_NE(text_of("out").find(said), std::string::npos) << verb;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Sweeps, Design, testing::Values(Example{"design", "", 8, 0}));
 
 // Length and foot of the bar against what other codes agree on (21.42 mm, 7.23 mm), as far as four cells go.
 class TaylorBar : public Examples {};

@@ -29,6 +29,7 @@ TEST(Warnings, StudiesOfTheProjectHaveThoseThatAreMeant) {
   for (const char* folder : {"paper", "examples"})
     for (const auto& file :
          std::filesystem::directory_iterator(std::string(SOURCE_DIR "/studies/") + folder)) {
+      if (file.path().extension() != ".toml") continue;
       const Study study = read_study(file.path());
       const auto said = warnings_of(study, make_plan(study));
       if (study.name == "two-body-jet")  // ends at 5 ns, waits for what has struck the far wall

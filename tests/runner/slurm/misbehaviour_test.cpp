@@ -83,6 +83,15 @@ class FakeSlurm : public Program {
   std::string path;
 };
 
+/// The elements of an array read the copy of the study, and the points beside it.
+TEST_F(FakeSlurm, PointsAreBesideTheCopyOfTheStudy) {
+  const fs::path study = fs::path(SOURCE_DIR) / "studies/examples/design.toml";
+  ASSERT_EQ(run({"run", study.string(), "--engine", "slurm", "--results", results}), 0) << output;
+  ASSERT_EQ(folders().size(), 1u);
+  EXPECT_EQ(text_of(folders()[0] / "design.csv"), text_of(study.parent_path() / "design.csv"));
+  EXPECT_EQ(run({"check", (folders()[0] / "study.toml").string()}), 0) << output;
+}
+
 using Taken = std::pair<int, int>;  // arrays, merges
 constexpr Taken none{0, 0}, array_only{1, 0}, both{1, 1};
 

@@ -111,6 +111,7 @@ TEST(ReadStudy, RepositoryStudies) {
   for (const char* folder : {"paper", "examples"})
     for (const auto& file :
          std::filesystem::directory_iterator(std::string(SOURCE_DIR "/studies/") + folder)) {
+      if (file.path().extension() != ".toml") continue;
       const Study study = read_study(file.path());
       EXPECT_EQ(study.name, file.path().stem());
       EXPECT_FALSE(study.scenes.empty());
