@@ -12,7 +12,7 @@
 #include "runner/study/job_values.hpp"
 #include "runner/study/ladder.hpp"
 #include "runner/study/readable.hpp"
-#include "runner/study/selection.hpp"
+#include "runner/study/wanted_points.hpp"
 #include "runner/study/written_unit.hpp"
 
 namespace mpmstudy {
@@ -174,13 +174,13 @@ SweptScenes build_scenes(const SceneRequest& request, const Combinations& combin
   const bool names_kernel =
       std::ranges::any_of(ordered, [](const Assignment& one) { return one.axis->name() == "kernel"; });
   JobValues value(ordered, combinations);
-  Selection selection(request, value);
+  WantedPoints points(request, value);
   SweptScenes swept;
   swept.scenes.reserve(combinations.jobs());
   int bad_jobs = 0;
   const auto refuse = [&](const Mistakes& of_job) {
     if (request.skips_invalid) {
-      selection.skip(of_job.first_key() + " cannot be run", of_job.first_line());
+      points.skip(of_job.first_key() + " cannot be run", of_job.first_line());
     } else {
       mistakes.add(of_job);
       ++bad_jobs;
@@ -188,7 +188,7 @@ SweptScenes build_scenes(const SceneRequest& request, const Combinations& combin
   };
   for (std::uint64_t job = 0; job < combinations.jobs() && bad_jobs < most_bad_jobs; ++job) {
     value.of_job(job);
-    if (!selection.wants(mistakes)) continue;
+    if (!points.wants(mistakes)) continue;
     Mistakes of_job;
     check_ranges(request, ordered, combinations, job, of_job);
     if (!of_job.empty()) {
@@ -227,7 +227,7 @@ SweptScenes build_scenes(const SceneRequest& request, const Combinations& combin
     else
       refuse(of_job);
   }
-  swept.skipped = selection.end(swept.scenes.empty(), combinations.jobs(), mistakes);
+  swept.skipped = points.end(swept.scenes.empty(), combinations.jobs(), mistakes);
   return swept;
 }
 

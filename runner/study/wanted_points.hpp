@@ -10,9 +10,9 @@
 namespace mpmstudy {
 
 /// Keeps references.
-class Selection {
+class WantedPoints {
  public:
-  Selection(const SceneRequest& request, const JobValues& value) : request_(request), value_(value) {}
+  WantedPoints(const SceneRequest& request, const JobValues& value) : request_(request), value_(value) {}
 
   /// Whether all requirements hold for the job that `value` is at; counts it as skipped where one does not.
   bool wants(Mistakes&);

@@ -1,4 +1,4 @@
-#include "runner/study/selection.hpp"
+#include "runner/study/wanted_points.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 namespace mpmstudy {
 
-bool Selection::wants(Mistakes& mistakes) {
+bool WantedPoints::wants(Mistakes& mistakes) {
   for (const Requirement& one : request_.requirements) {
     const double holds = one.expression.value(std::cref(value_));
     if (holds == 1) continue;
@@ -25,7 +25,7 @@ bool Selection::wants(Mistakes& mistakes) {
   return true;
 }
 
-void Selection::skip(const std::string& why, const std::string& first, const Requirement* of) {
+void WantedPoints::skip(const std::string& why, const std::string& first, const Requirement* of) {
   auto known = std::ranges::find(skipped_, why, &SkippedPoints::why);
   if (known == skipped_.end()) {
     known = skipped_.insert(skipped_.end(), {why, first, 0});
@@ -34,7 +34,7 @@ void Selection::skip(const std::string& why, const std::string& first, const Req
   ++known->points;
 }
 
-std::vector<SkippedPoints> Selection::end(bool nothing_left, std::uint64_t points, Mistakes& mistakes) {
+std::vector<SkippedPoints> WantedPoints::end(bool nothing_left, std::uint64_t points, Mistakes& mistakes) {
   for (std::size_t k = 0; k < skipped_.size() && !request_.skips_invalid; ++k)
     mistakes.add(requirements_[k]->place, "require", requirements_[k]->written,
                  {fmt::format("does not hold in {} of {} points, first for {}", skipped_[k].points, points,
@@ -52,7 +52,7 @@ std::vector<SkippedPoints> Selection::end(bool nothing_left, std::uint64_t point
 }
 
 /// "cavity_radius = 1 um, wall = 0.2 um".
-std::string Selection::values_of(const Requirement& one) const {
+std::string WantedPoints::values_of(const Requirement& one) const {
   std::string text;
   for (const std::string& name : one.expression.names()) {
     const auto axis = std::ranges::find(request_.axes, name, &Axis::name);
