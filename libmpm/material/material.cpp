@@ -41,6 +41,12 @@ double shock_speed(const Material& m, double particle_speed) {
   return m.bulk_sound_speed + m.hugoniot_slope * particle_speed;
 }
 
+double pressure_per_energy(const Material& m) {
+  if (m.law != MaterialLaw::solid) return 0;
+  const double gamma = m.eos == EquationOfState::stiffened_gas ? m.adiabatic_index - 1 : m.gruneisen_gamma;
+  return gamma * m.reference_density;
+}
+
 std::span<const StateColumn> state_columns(const Material& m) {
   std::span<const StateColumn> columns;
   with_model_type<double>(m, [&]<class Model>(std::size_t) { columns = Model::state; });

@@ -76,6 +76,8 @@ struct Material {
   double softening_exponent = 0;     ///< m [1]
   double melting_temperature = 0;    ///< [K]
 
+  /// A stiffened gas without stiffness may be compressed and expanded as far as one likes.
+  bool is_ideal_gas() const { return eos == EquationOfState::stiffened_gas && stiffening_pressure == 0; }
   bool fails() const { return std::isfinite(failure_strain); }
   /// Whether hardening moves the yield surface: only then there is a back stress.
   bool hardens_kinematically() const {
@@ -96,6 +98,8 @@ double sound_speed_at_rest(const Material&);
 /// Of the shock that takes material at rest to this particle speed [m/s]: by the Hugoniot of the equation of
 /// state; of a material without one the longitudinal sound speed.
 double shock_speed(const Material&, double particle_speed);
+/// dP/de at the density of rest, where P = 0 at e = 0 [kg/m^3]; 0 of a material without heat.
+double pressure_per_energy(const Material&);
 /// What the model of the material keeps of a particle.
 std::span<const StateColumn> state_columns(const Material&);
 

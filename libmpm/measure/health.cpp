@@ -39,7 +39,7 @@ constexpr ResultRow rows[] = {
 };
 
 constexpr double most_beyond = 0.01;             // of the mass, beyond the equation of state
-constexpr double crushed = -0.95;                // J - 1 that no particle may have
+constexpr double crushed = -0.95;                // J - 1 that no particle may have but of an ideal gas
 constexpr double largest_kinetic_growth = 0.01;  // beyond all the energy there is
 constexpr double largest_energy_error = 0.01;
 constexpr double largest_cfl = 1;
@@ -122,6 +122,9 @@ BasicHealth<axes>::BasicHealth(const Scene& scene, const State& s, double speed)
       mass_(std::accumulate(s.particles.mass.begin(), s.particles.mass.end(), 0.0)),
       pressure_limit_(largest_of(scene, [](const Material& m) { return m.pressure_limit; })),
       cell_(s.grid.cell().minCoeff()),
+      least_dilation_(largest_of(scene, [](const Material& m) { return m.is_ideal_gas() ? 1.0 : 0.0; }) > 0
+                          ? -1
+                          : crushed),
       largest_signal_(largest_signal_growth * (largest_of(scene, sound_speed_at_rest) + speed)) {}
 
 template <int axes>
@@ -138,7 +141,7 @@ template <int axes>
 typename BasicHealth<axes>::Trouble BasicHealth<axes>::trouble(double energy_error) const {
   if (!std::isfinite(last_.largest_signal)) return Trouble::not_finite;
   if (last_.at_open_face) return Trouble::open_face;
-  if (last_.smallest_dilation < crushed || last_.overstrained_mass > most_beyond * mass_)
+  if (last_.smallest_dilation < least_dilation_ || last_.overstrained_mass > most_beyond * mass_)
     return Trouble::density;
   if (last_.overpressed_mass > most_beyond * mass_) return Trouble::pressure;
   if (last_.largest_signal > largest_signal_) return Trouble::signal;
@@ -165,7 +168,7 @@ std::string BasicHealth<axes>::describe(Trouble trouble, const State& s, double 
       text << "density left its range: rho0/rho from " << 1 + last_.smallest_dilation << " to "
            << 1 + last_.largest_dilation << ", " << 100 * last_.overstrained_mass / mass_
            << " % of the mass below " << 1 + least_dilation << " or at " << 1 + most_dilation << "; allowed "
-           << 100 * most_beyond << " %, and no particle below " << 1 + crushed;
+           << 100 * most_beyond << " %, and no particle below " << 1 + least_dilation_;
       break;
     case Trouble::pressure:
       text << 100 * last_.overpressed_mass / mass_

@@ -15,7 +15,7 @@ namespace mpm {
 ///     rho0/rho outside [1/4, 10). Where a cavity closes, pressure is singular, and what a jet leaves behind
 ///     is vapour: single particles pass or reach these limits, and are counted as overpressed_mass_fraction
 ///     and overstrained_mass_fraction;
-///   - a particle is crushed to a twentieth of its volume;
+///   - a particle is crushed to a twentieth of its volume, in scenes without an ideal gas;
 ///   - the step was longer than a cell over the fastest signal, CFL number 1: no explicit step is stable
 ///   there;
 ///   - the fastest signal is a hundred times that of the impact: nothing physical is, and the run would crawl
@@ -47,7 +47,7 @@ class BasicHealth : public BasicMeasurement<axes> {
   std::string describe(Trouble, const State&, double energy_error) const;
 
  private:
-  double initial_energy_, mass_, pressure_limit_, cell_, largest_signal_;
+  double initial_energy_, mass_, pressure_limit_, cell_, least_dilation_, largest_signal_;
   StepReport last_;
   double last_cfl_ = 0, largest_cfl_ = 0;
   double smallest_dilation_ = 0, largest_dilation_ = 0, overstrained_mass_ = 0;

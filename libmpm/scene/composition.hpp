@@ -44,6 +44,19 @@ inline constexpr auto shape_forms = words<Shape::Form>({{Shape::Form::block, "bl
                                                         {Shape::Form::difference, "minus"},
                                                         {Shape::Form::intersection, "intersection"}});
 
+/// Towards a point or away from it, at the distance r from it with the speed
+///   speed (r / at)^exponent                                          [m/s]
+/// An incompressible cylinder has the exponent -1, a sphere -2; 1: all parts keep their proportions; 0: one
+/// speed.
+struct RadialVelocity {
+  double speed = 0;     ///< positive outwards [m/s]
+  double at = 1;        ///< where it is that speed, > 0 [m]; of no effect when the exponent is 0
+  double exponent = 0;  ///< [1]
+  Triple about{};       ///< [m]
+
+  bool operator==(const RadialVelocity&) const = default;
+};
+
 /// A region, its material, and how it moves at time 0. Bodies that touch are welded: they share the grid.
 struct ComposedBody {
   std::string name;
@@ -52,6 +65,10 @@ struct ComposedBody {
   Triple velocity{};         ///< [m/s]
   double spin = 0;           ///< angular velocity about the line along z through `about` [rad/s]
   Triple about{};            ///< [m]
+  RadialVelocity radial{};   ///< beside the others
+  /// Specific internal energy at time 0, above that of the material at rest [J/kg]: a body at the density of
+  /// rest, heated there. Its pressure follows (pressure_per_energy()).
+  double energy = 0;
 };
 
 /// What is at a side of the box.

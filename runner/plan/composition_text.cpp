@@ -51,6 +51,27 @@ mpm::Shape shape_from(const json& j) {
   return shape;
 }
 
+/// What a body has not is left out: its text was the same before there was such a thing.
+json body_json(const mpm::ComposedBody& b) {
+  json j{{"name", b.name},         {"shape", shape_json(b.shape)},
+         {"material", b.material}, {"velocity", b.velocity},
+         {"spin", b.spin},         {"about", b.about}};
+  if (const mpm::RadialVelocity& v = b.radial; v.speed != 0)
+    j["radial"] = {{"speed", v.speed}, {"at", v.at}, {"exponent", v.exponent}, {"about", v.about}};
+  if (b.energy != 0) j["energy"] = b.energy;
+  return j;
+}
+mpm::ComposedBody body_from(const json& j) {
+  mpm::ComposedBody b{j.at("name").get<std::string>(),     shape_from(j.at("shape")),
+                      j.at("material").get<std::size_t>(), j.at("velocity").get<mpm::Triple>(),
+                      j.at("spin").get<double>(),          j.at("about").get<mpm::Triple>()};
+  if (const auto radial = j.find("radial"); radial != j.end())
+    b.radial = {radial->at("speed").get<double>(), radial->at("at").get<double>(),
+                radial->at("exponent").get<double>(), radial->at("about").get<mpm::Triple>()};
+  b.energy = j.value("energy", 0.0);
+  return b;
+}
+
 /// Rows of the parameter table that are of a material, of number `index` of the scene.
 json material_json(mpm::Scene scene, std::size_t index, bool for_key) {
   scene.material = mpm::material_of(scene, index);
@@ -87,13 +108,7 @@ std::string text_of(const mpm::Scene& scene, bool for_key) {
   const mpm::Composition& all = scene.composition;
   json j{{"low", all.low}, {"high", all.high}};
   for (const mpm::Face face : all.faces) j["faces"].push_back(word_of(face, mpm::face_words));
-  for (const mpm::ComposedBody& b : all.bodies)
-    j["bodies"].push_back({{"name", b.name},
-                           {"shape", shape_json(b.shape)},
-                           {"material", b.material},
-                           {"velocity", b.velocity},
-                           {"spin", b.spin},
-                           {"about", b.about}});
+  for (const mpm::ComposedBody& b : all.bodies) j["bodies"].push_back(body_json(b));
   for (std::size_t m = 0; m < mpm::material_count(scene); ++m)
     j["materials"].push_back(material_json(scene, m, for_key));
   return j.dump();
@@ -128,10 +143,7 @@ void set_composition(mpm::Scene& scene, const std::string& text) {
     all.high = j.at("high").get<mpm::Triple>();
     for (std::size_t side = 0; side < all.faces.size(); ++side)
       all.faces[side] = from_word<mpm::Face>(j.at("faces").at(side), mpm::face_words);
-    for (const json& b : j.at("bodies"))
-      all.bodies.push_back({b.at("name").get<std::string>(), shape_from(b.at("shape")),
-                            b.at("material").get<std::size_t>(), b.at("velocity").get<mpm::Triple>(),
-                            b.at("spin").get<double>(), b.at("about").get<mpm::Triple>()});
+    for (const json& b : j.at("bodies")) all.bodies.push_back(body_from(b));
     scene.other_materials.clear();
     const json& materials = j.at("materials");
     for (std::size_t m = 1; m < materials.size(); ++m)

@@ -11,8 +11,10 @@
 namespace mpmstudy {
 namespace {
 
-constexpr std::array<std::string_view, 6> body_keys = {"name",     "material",         "shape",
-                                                       "velocity", "angular_velocity", "about"};
+constexpr std::string_view energy_key = "specific_internal_energy", pressure_key = "pressure";
+constexpr std::array<std::string_view, 9> body_keys = {
+    "name",  "material",        "shape",    "velocity",  "angular_velocity",
+    "about", "radial_velocity", energy_key, pressure_key};
 
 /// Adds a mistake for each key that is none of those; whether there is none.
 template <class Keys>
@@ -42,7 +44,53 @@ const std::string* text_at(const Table& table, std::string_view key) {
   return entry ? entry->value.string() : nullptr;
 }
 
-/// All of a [[body]] but its material. Empty after adding mistakes about its keys or its name.
+/// { speed = "-100 m/s", at = "1 um", exponent = -1, about = [...] }; without at and exponent one speed.
+/// Empty after adding mistakes.
+std::optional<mpm::RadialVelocity> read_radial(const Entry& entry, const BodyContext& context) {
+  constexpr std::array<std::string_view, 4> keys = {"speed", "at", "exponent", "about"};
+  const std::string what = "body." + entry.key;
+  const Table* table = entry.value.table();
+  const auto find = [&](const char* key) { return table ? table->find(key) : nullptr; };
+  const Entry *speed = find("speed"), *at = find("at"), *exponent = find("exponent"), *about = find("about");
+  if (!speed || !about || !at != !exponent) {
+    context.mistakes.add(what, entry.value,
+                         {"not a radial velocity",
+                          "allowed: { speed = \"-100 m/s\", about = [...] }, for a speed that depends on the "
+                          "radius with at = \"1 um\" and exponent = -1"});
+    return std::nullopt;
+  }
+  if (!check_words(*table, what, keys, context.mistakes)) return std::nullopt;
+  const auto number = [&](const Entry& one, const Expected& expected) {
+    return context.number(what + "." + one.key, one.value, expected);
+  };
+  const auto v = number(*speed, {"m/s", mpm::Range::any});
+  const auto center = context.vector(what + ".about", about->value, "m");
+  const auto radius = at ? number(*at, {"m", mpm::Range::positive}) : 1;
+  const auto power = exponent ? number(*exponent, {"1", mpm::Range::any}) : 0;
+  if (!v || !center || !radius || !power) return std::nullopt;
+  return mpm::RadialVelocity{*v, *radius, *power, *center};
+}
+
+/// The energy of a body at the start, said as it is or as the pressure that it makes; 0 after adding
+/// mistakes.
+double read_energy(const Table& body, const mpm::Material& material, const BodyContext& context) {
+  const Entry *energy = body.find(energy_key), *pressure = body.find(pressure_key);
+  const auto read = [&](const Entry& entry, const char* unit) {
+    return context.number("body." + entry.key, entry.value, {unit, mpm::Range::non_negative}).value_or(0);
+  };
+  if (!pressure) return energy ? read(*energy, "J/kg") : 0;
+  const double per_energy = mpm::pressure_per_energy(material);
+  if (energy || per_energy == 0) {
+    context.mistakes.add("body.pressure", pressure->value,
+                         energy ? Refusal{"stands beside specific_internal_energy", "allowed: one of them"}
+                                : Refusal{"of a material whose pressure knows no heat",
+                                          "allowed: a material with a positive gruneisen_gamma, or a gas"});
+    return 0;
+  }
+  return read(*pressure, "Pa") / per_energy;
+}
+
+/// All of a [[body]] but its material and its energy. Empty after adding mistakes about its keys or its name.
 std::optional<mpm::ComposedBody> read_body(const Value& one, const BodyContext& context) {
   Mistakes& mistakes = context.mistakes;
   const Table* table = one.table();
@@ -73,6 +121,8 @@ std::optional<mpm::ComposedBody> read_body(const Value& one, const BodyContext& 
     body.spin = context.number("body.angular_velocity", spin->value, {"rad/s", mpm::Range::any}).value_or(0);
     body.about = context.vector("body.about", about->value, "m").value_or(mpm::Triple{});
   }
+  if (const Entry* radial = table->find("radial_velocity"))
+    body.radial = read_radial(*radial, context).value_or(mpm::RadialVelocity{});
   return body;
 }
 
@@ -90,7 +140,7 @@ BodiesReader::BodiesReader(const Table& document, const Units& units, KnownParam
     const std::string* name = table ? text_at(*table, "name") : nullptr;
     if (!name) continue;
     keep("body " + *name, body.place);
-    for (const char* part : {"shape", "velocity"})
+    for (const char* part : {"shape", "velocity", "radial_velocity", "specific_internal_energy"})
       if (const Entry* entry = table->find(part)) keep("body " + *name + ", " + part, entry->value.place);
   }
   for (const Entry& one : entries_of(document.find_table(materials_table))) {
@@ -110,6 +160,21 @@ const List& BodiesReader::bodies() const {
 bool BodiesReader::uses_study_material() const {
   return std::ranges::any_of(
       bodies(), [](const Value& body) { return body.table() && !body.table()->find("material"); });
+}
+
+std::vector<std::string_view> BodiesReader::known_materials() const {
+  std::vector<std::string_view> known(mpm::material_names().begin(), mpm::material_names().end());
+  for (const Entry& one : entries_of(document_.find_table(materials_table))) known.push_back(one.key);
+  return known;
+}
+
+bool BodiesReader::knows_all_materials() const {
+  const std::vector<std::string_view> known = known_materials();
+  return std::ranges::all_of(bodies(), [&](const Value& body) {
+    const Entry* material = body.table() ? body.table()->find("material") : nullptr;
+    const std::string* name = material ? material->value.string() : nullptr;
+    return !material || (name && std::ranges::find(known, *name) != known.end());
+  });
 }
 
 const Place* BodiesReader::place_of(std::string_view parameter) const {
@@ -228,9 +293,8 @@ void BodiesReader::apply(mpm::Scene& scene, const ValueOf& value, Mistakes& mist
   read_box(scene, value, mistakes);
   read_faces(scene, mistakes);
   const BodyContext context{scene.space, value, quantities_, mistakes};
-  std::vector<std::string_view> known(mpm::material_names().begin(), mpm::material_names().end());
+  const std::vector<std::string_view> known = known_materials();
   const std::vector<Entry>& of_file = entries_of(document_.find_table(materials_table));
-  for (const Entry& one : of_file) known.push_back(one.key);
   // the study's own material is number 0, where a body is of it
   std::vector<std::string> names;
   std::vector<mpm::Material> materials;
@@ -248,6 +312,7 @@ void BodiesReader::apply(mpm::Scene& scene, const ValueOf& value, Mistakes& mist
         materials.push_back(read_material(scene, known[*word], value, mistakes).value_or(mpm::Material{}));
       }
     }
+    body->energy = read_energy(*one.table(), materials[body->material], context);
     scene.composition.bodies.push_back(std::move(*body));
   }
   for (const Entry& one : of_file)

@@ -22,6 +22,8 @@ class BodiesReader {
 
   /// Whether a body is of the study's own material, that of [parameters] and [material].
   bool uses_study_material() const;
+  /// Whether there is a material of each name that a body says. If not, apply() adds the mistake.
+  bool knows_all_materials() const;
 
   /// Gives a scene its composition and its materials. `value`: of the parameters in its job. Adds mistakes,
   /// each of them once for all jobs.
@@ -39,6 +41,7 @@ class BodiesReader {
   void read_box(mpm::Scene&, const ValueOf&, Mistakes&);
   void read_faces(mpm::Scene&, Mistakes&);
   const List& bodies() const;
+  std::vector<std::string_view> known_materials() const;
 
   const Table& document_;
   QuantityReader quantities_;

@@ -135,6 +135,8 @@ class Reader {
     const Table* parameters = table("parameters");
     const Entry* entry = parameters ? parameters->find("material") : nullptr;
     if (bodies_ && !bodies_->uses_study_material()) {
+      // a name that is wrong may be meant for it
+      if (!bodies_->knows_all_materials()) return;
       const Entry* of_study = document_.find(table_name(mpm::Section::material));
       if (!entry) entry = of_study;
       for (const mpm::Quantity& row : mpm::quantities())

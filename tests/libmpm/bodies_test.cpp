@@ -49,7 +49,7 @@ mpm::Scene written_out(const mpm::Scene& kind) {
 }
 
 template <int axes>
-void expect_same_body(const mpm::Scene& a, const mpm::Scene& b) {
+void expect_same_body(const mpm::Scene& a, const mpm::Scene& b, double of_velocity = 0) {
   const auto one = mpm::build_state<axes>(a), other = mpm::build_state<axes>(b);
   ASSERT_EQ(one.particles.size(), other.particles.size());
   EXPECT_EQ(one.grid.columns(), other.grid.columns());
@@ -58,7 +58,8 @@ void expect_same_body(const mpm::Scene& a, const mpm::Scene& b) {
   for (std::size_t p = 0; p < one.particles.size(); ++p) {
     EXPECT_LT((one.particles.position[p] - other.particles.position[p]).norm(), 1e-9 * h);
     EXPECT_NEAR(other.particles.mass[p] / one.particles.mass[p], 1, 1e-9);
-    EXPECT_EQ(one.particles.velocity[p], other.particles.velocity[p]);
+    EXPECT_LE((one.particles.velocity[p] - other.particles.velocity[p]).norm(),
+              of_velocity * one.particles.velocity[p].norm());
   }
 }
 
@@ -117,6 +118,107 @@ TEST(Bodies, TwoBodiesWrittenOutAreTheSame) {
     EXPECT_NEAR(other.find(name)->value / one.find(name)->value, 1, 1e-6) << name;
 }
 
+/// A ball that flies to the right.
+mpm::Scene flight(mpm::Kernel kernel) {
+  mpm::Scene s = boxed(scenes::cavity(0.2e-6));
+  s.numerics.kernel = kernel;
+  s.composition.high = {8e-6, 4e-6, 0};
+  s.composition.faces = {};
+  s.composition.bodies = {{"ball", ball({2e-6, 2e-6, 0}, 1e-6), 0, {500, 0, 0}}};
+  s.end_time = 8e-9;
+  s.measures.area_every = s.end_time / 20;
+  return s;
+}
+
+/// "parameter = value: must be allowed" of all that is wrong.
+std::string problems(const mpm::Scene& s) {
+  std::string text;
+  for (const mpm::Problem& p : mpm::find_problems(s))
+    text += p.parameter + " = " + p.value + ": must be " + p.allowed + "\n";
+  return text;
+}
+
+/// An imploding shell as one body: a quarter, of three axes an octant.
+mpm::Scene shell_written_out(const mpm::Scene& kind) {
+  mpm::Scene s = kind;
+  const double h = kind.numerics.cell_size, edge = (std::ceil(kind.outer_radius / h) + 2) * h;
+  s.kind = mpm::SceneKind::bodies;
+  s.composition.high = {edge, edge, edge};
+  s.composition.faces.fill(Face::mirror);
+  face(s, Side::top) = Face::open;
+  mpm::ComposedBody shell{"shell", minus(ball({}, kind.outer_radius), ball({}, kind.inner_radius))};
+  const double exponent = kind.space == mpm::Space::plane_strain ? -1 : -2;
+  shell.radial = {-kind.inner_speed, kind.inner_radius, exponent, {}};
+  s.composition.bodies = {shell};
+  return s;
+}
+
+TEST(Bodies, AnImplodingShellWrittenOutIsTheSame) {
+  for (const mpm::Space space : {mpm::Space::plane_strain, mpm::Space::axisymmetric, mpm::Space::three_d}) {
+    mpm::Scene kind = scenes::in_space(space, scenes::shell(225, 0.25e-6));
+    kind.end_time =
+        space == mpm::Space::three_d ? 0.5e-9 : 2e-9;  // before it stops, which ends the run of the kind
+    const mpm::Scene s = shell_written_out(kind);
+    if (space == mpm::Space::three_d) {
+      expect_same_body<3>(kind, s, 1e-9);
+    } else {
+      expect_same_body<2>(kind, s, 1e-9);
+    }
+    expect_same_numbers(kind, s);
+  }
+}
+
+// All parts move to the point, or away from it, as the radius says.
+TEST(Bodies, MoveRadially) {
+  mpm::Scene s = flight(mpm::Kernel::fast);
+  mpm::ComposedBody& ball = s.composition.bodies[0];
+  ball.velocity = {};
+  for (const double exponent : {0.0, 1.0, 2.0}) {
+    ball.radial = {-30, 0.5e-6, exponent, {2e-6, 2e-6, 0}};
+    EXPECT_EQ(problems(s), "");
+    const mpm::State state = mpm::build_state(s);
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+      const mpm::Vec2 arm = state.particles.position[p] - mpm::Vec2(2e-6, 2e-6);
+      const mpm::Vec2 expected = -30 * std::pow(arm.norm() / 0.5e-6, exponent) * arm.normalized();
+      EXPECT_LT((state.particles.velocity[p] - expected).norm(), 1e-9);
+    }
+  }
+  // the farthest part of what may be of the body
+  EXPECT_NEAR(mpm::initial_speed(s), 30 * std::pow(std::sqrt(2.0) / 0.5, 2), 1e-9);
+  ball.radial.exponent = -1;
+  EXPECT_THAT(problems(s), HasSubstr("body ball, radial_velocity = exponent = -1: must be 0 or more"));
+  ball.shape = minus(ball.shape, ball.shape);
+  ball.shape.parts[1].numbers[3] = 0.5e-6;
+  EXPECT_EQ(problems(s), "");
+  EXPECT_NEAR(mpm::initial_speed(s), 30, 1e-9);
+}
+
+// The whole body is heated at its density of rest: P = gamma0 rho0 e.
+TEST(Bodies, BeginWithAPressure) {
+  mpm::Scene s = flight(mpm::Kernel::fast);
+  s.composition.bodies[0].velocity = {};
+  s.composition.bodies[0].energy = 1e5;
+  EXPECT_EQ(problems(s), "");
+  for (const mpm::Kernel kernel : {mpm::Kernel::fast, mpm::Kernel::reference}) {
+    s.numerics.kernel = kernel;
+    mpm::Simulation simulation(s);
+    const auto& ps = simulation.state().particles;
+    const double pressure = s.material.gruneisen_gamma * s.material.reference_density * 1e5;
+    for (std::size_t p = 0; p < ps.size(); ++p) EXPECT_NEAR(ps.pressure[p] / pressure, 1, 1e-12);
+    const mpm::RunResult r = simulation.run();
+    ASSERT_EQ(r.status, mpm::RunStatus::done) << r.reason;
+    EXPECT_LT(r.energy_error, 1e-12);
+    double left = 0, mass = 0;  // the ball has grown, and rings about no pressure
+    const auto& end = simulation.state().particles;
+    for (std::size_t p = 0; p < end.size(); ++p) left += end.mass[p] * end.pressure[p], mass += end.mass[p];
+    EXPECT_LT(std::abs(left / mass), 0.2 * pressure);
+  }
+  s.composition.bodies[0].energy = 1e12;
+  EXPECT_THAT(problems(s), HasSubstr("is at most pressure_limit"));
+  s.composition.bodies[0].energy = -1;
+  EXPECT_THAT(problems(s), HasSubstr("specific_internal_energy = -1 J/kg: must be 0 or more"));
+}
+
 // The temperature of a particle is that of its own material.
 TEST(Bodies, AreAsHotAsTheirOwnMaterialSays) {
   mpm::Scene s = boxed(scenes::cavity(0.2e-6));
@@ -129,18 +231,6 @@ TEST(Bodies, AreAsHotAsTheirOwnMaterialSays) {
   s.end_time = 0.2e-9;
   s.measures.area_every = s.end_time / 20;
   EXPECT_NEAR(mpm::run(s).find("hot_spot_temperature_K")->value, 500, 5);
-}
-
-/// A ball that flies to the right.
-mpm::Scene flight(mpm::Kernel kernel) {
-  mpm::Scene s = boxed(scenes::cavity(0.2e-6));
-  s.numerics.kernel = kernel;
-  s.composition.high = {8e-6, 4e-6, 0};
-  s.composition.faces = {};
-  s.composition.bodies = {{"ball", ball({2e-6, 2e-6, 0}, 1e-6), 0, {500, 0, 0}}};
-  s.end_time = 8e-9;
-  s.measures.area_every = s.end_time / 20;
-  return s;
 }
 
 TEST(Bodies, FlyFreelyBetweenOpenFaces) {
@@ -212,14 +302,6 @@ TEST(Bodies, MayBeOfManyParts) {
   const auto region = mpm::region_of<2>(wide);
   EXPECT_EQ(region.share_of_ball({3.0 * 2999, 0}, 0.5), mpm::Share::all);
   EXPECT_EQ(region.high.x(), 3.0 * 2999 + 1);
-}
-
-/// "parameter = value: must be allowed" of all that is wrong.
-std::string problems(const mpm::Scene& s) {
-  std::string text;
-  for (const mpm::Problem& p : mpm::find_problems(s))
-    text += p.parameter + " = " + p.value + ": must be " + p.allowed + "\n";
-  return text;
 }
 
 TEST(Bodies, SayWhatIsWrong) {

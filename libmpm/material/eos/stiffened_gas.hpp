@@ -23,6 +23,7 @@ struct StiffenedGas {
   Real least_square;    ///< a lower bound of c^2 for the viscosity and the step [m^2/s^2]
   Real pressure_floor;  ///< [Pa]
   Real pressure_limit;  ///< [Pa]
+  Real least, most;     ///< of J - 1: an ideal gas knows no ends, a millionfold expansion is far enough
 
   explicit StiffenedGas(const Material& m)
       : rho0(static_cast<Real>(m.reference_density)),
@@ -33,16 +34,16 @@ struct StiffenedGas {
         least_square(static_cast<Real>(1e-3 * sound_square_at_rest(m))),
         pressure_floor(
             static_cast<Real>(m.tension == Tension::cutoff ? -m.spall_strength : -m.stiffening_pressure)),
-        pressure_limit(static_cast<Real>(m.pressure_limit)) {}
+        pressure_limit(static_cast<Real>(m.pressure_limit)),
+        least(static_cast<Real>(m.is_ideal_gas() ? -1 : least_dilation)),
+        most(static_cast<Real>(m.is_ideal_gas() ? 1e6 : most_dilation)) {}
   static bool fits(const Material& m) {
     return m.eos == EquationOfState::stiffened_gas && m.tension != Tension::linear;
   }
   static double sound_square_at_rest(const Material& m) {
     return m.adiabatic_index * m.stiffening_pressure / m.reference_density;
   }
-  MPM_INLINE Validity<Real> validity() const {
-    return {Real(least_dilation), Real(most_dilation), pressure_limit};
-  }
+  MPM_INLINE Validity<Real> validity() const { return {least, most, pressure_limit}; }
 
   /// P = cold + thermal e at a volume, and c^2.
   template <class N>

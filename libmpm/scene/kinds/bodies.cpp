@@ -6,6 +6,7 @@
 #include <string>
 
 #include "libmpm/core/errors.hpp"
+#include "libmpm/scene/kinds/bodies_start.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/region_of.hpp"
 
@@ -78,18 +79,6 @@ Floor floor(const Scene& s) {
 }
 
 template <int axes>
-BasicBody<axes> body_of(const Composition& all, const ComposedBody& b) {
-  const auto velocity = [v = vector(b.velocity), spin = b.spin, about = vector(b.about)](const Vec<axes>& x) {
-    const Vec2 arm = x.template head<2>() - about.head<2>();
-    Vec3 here = v;
-    here.head<2>() += spin * Vec2(-arm.y(), arm.x());
-    return Vec<axes>(here.head<axes>());
-  };
-  const Vec<axes> low = vector(all.low).head<axes>(), high = vector(all.high).head<axes>();
-  return {region_of<axes>(b.shape) & block<axes>(low, high), velocity};
-}
-
-template <int axes>
 BasicState<axes> without_bodies(const Scene& s) {
   const BasicLattice<axes> l = lattice<axes>(s);
   BasicState<axes> state = empty_state_of<axes>(s, l);
@@ -101,8 +90,12 @@ BasicState<axes> without_bodies(const Scene& s) {
 
 template <int axes>
 void add_body(BasicState<axes>& state, const Scene& s, const ComposedBody& b) {
-  fill(state, body_of<axes>(s.composition, b), s, b.material);
-  state.particles.body_ends.push_back(state.particles.size());
+  auto& ps = state.particles;
+  const std::size_t first = ps.size();
+  fill(state, {region_in<axes>(s.composition, b), velocity_at_start<axes>(b)}, s, b.material);
+  const double pressure = pressure_per_energy(material_of(s, b.material)) * b.energy;
+  for (std::size_t p = first; p < ps.size(); ++p) ps.energy[p] = b.energy, ps.pressure[p] = pressure;
+  ps.body_ends.push_back(ps.size());
 }
 
 template <int axes>
@@ -136,12 +129,6 @@ std::string refusal_of_form(const Shape& shape, Space space) {
   for (const Shape& part : shape.parts)
     if (std::string refusal = refusal_of_form(part, space); !refusal.empty()) return refusal;
   return {};
-}
-
-std::string vector_text(const Triple& v, int axes, const char* unit) {
-  std::string text;
-  for (int k = 0; k < axes; ++k) text += (k == 0 ? "" : ", ") + text_of(at(v, k));
-  return "(" + text + ") " + unit;
 }
 
 void check_box(const Scene& s, Report& report) {
@@ -188,15 +175,18 @@ void check_bodies(const Scene& s, Report& report) {
       report.add_other(what, "material " + std::to_string(b.material),
                        "of the materials of the scene, bodies in their order");
     material = b.material;
-    moves = moves || vector(b.velocity).norm() > 0 || b.spin != 0;
+    moves = moves || vector(b.velocity).norm() > 0 || b.spin != 0 || b.radial.speed != 0 || b.energy != 0;
     if (const std::string instead = refusal_of_form(b.shape, s.space); !instead.empty())
       report.add_other(what + ", shape", "cylinder", instead);
+    else
+      check_start(s, b, report);
     if (s.space == Space::axisymmetric && (b.velocity[0] != 0 || b.spin != 0))
       report.add_other(what + ", velocity", vector_text(b.velocity, 2, "m/s"),
                        "along y, without a spin, when space is \"axisymmetric\"");
   }
   if (!all.bodies.empty() && !moves)
-    report.add_other("body", "nothing moves", "scenes in which a body has a velocity or a spin");
+    report.add_other("body", "nothing moves",
+                     "scenes in which a body has a velocity, a spin, or an energy or pressure at the start");
 }
 
 /// What only bodies that are filled show: that they overlap, or are not there.
@@ -224,14 +214,6 @@ void check(const Scene& s, Report& report) {
 Extent extent(const Scene& s) {
   const Vec3 box = edges(s.composition);
   return {box.x(), box.y(), box.z()};
-}
-
-double fastest(const Scene& s) {
-  const double across = edges(s.composition).head<2>().norm();
-  double most = 0;
-  for (const ComposedBody& b : s.composition.bodies)
-    most = std::max(most, vector(b.velocity).norm() + std::abs(b.spin) * across);
-  return most;
 }
 
 /// The wall of a ring, a shell or a tube, which is one round shape without another that differs in its radius
@@ -313,7 +295,7 @@ extern constinit const Kind bodies{
     .check = check,
     .extent = extent,
     .floor = floor,
-    .fastest = fastest,
+    .fastest = fastest_at_start,
     .coarsest_cell = coarsest_cell,
     .parts = parts,
     .is_half = is_half,

@@ -115,6 +115,39 @@ TEST(Bodies, AreKeptAsText) {
   EXPECT_THROW(set_composition(other, "{}"), std::invalid_argument);
 }
 
+std::string with_core(const std::string& more) {
+  std::string text = two_bodies;
+  const std::string shape = "radius = \"radius / 2\" } }\n";
+  text.insert(text.find(shape) + shape.size(), more);
+  return text;
+}
+
+// What a body has not is not in its key: keys of catalogs go on being found.
+TEST(Bodies, MoveRadiallyAndBeginHot) {
+  const mpm::Scene plain = study_of(two_bodies).scenes[0];
+  EXPECT_THAT(composition_text(plain), testing::Not(testing::HasSubstr("radial")));
+  EXPECT_THAT(composition_text(plain), testing::Not(testing::HasSubstr("energy")));
+  const mpm::Scene s = study_of(with_core("radial_velocity = { speed = \"-speed\", at = \"radius\", exponent "
+                                          "= 1, about = [\"block / 2\", \"block / 2\"] }\n"
+                                          "pressure = \"1 GPa\"\n"))
+                           .scenes[0];
+  const mpm::ComposedBody& core = s.composition.bodies[1];
+  EXPECT_EQ(core.radial, (mpm::RadialVelocity{-300, 1.5e-6, 1, {2e-6, 2e-6, 0}}));
+  const mpm::Material& soft = s.other_materials[0];
+  EXPECT_NEAR(core.energy * soft.gruneisen_gamma * soft.reference_density, 1e9, 1e-3);
+  EXPECT_NE(job_key(s), job_key(plain));
+  mpm::Scene other = s;
+  other.composition = {};
+  set_composition(other, composition_text(s));
+  EXPECT_EQ(other.composition.bodies[1].radial, core.radial);
+  EXPECT_EQ(other.composition.bodies[1].energy, core.energy);
+  EXPECT_EQ(job_key(other), job_key(s));
+  other.composition.bodies[1].radial.exponent = 2;
+  EXPECT_NE(job_key(other), job_key(s));
+  const mpm::Scene hot = study_of(with_core("specific_internal_energy = \"2 kJ/kg\"\n")).scenes[0];
+  EXPECT_EQ(hot.composition.bodies[1].energy, 2000);
+}
+
 TEST(Bodies, SayInWhichPartsTheyDiffer) {
   const Study study = study_of(two_bodies);
   EXPECT_EQ(own_parts(study.scenes[0], study.scenes[0]), "none");
