@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "libmpm/verification/exact/lagrangian_1d.hpp"
+#include "libmpm/verification/exact/pressed_cavity.hpp"
 #include "tests/verification/exact/csv.hpp"
 
 namespace {
@@ -53,6 +54,20 @@ TEST(LagrangianCode, KeepsEnergyAndScales) {
     EXPECT_EQ(large.positions()[0], 1024 * small.positions()[0]);
     EXPECT_EQ(large.normal_stress(50), small.normal_stress(50));
   }
+}
+
+// The less it is compressed, the nearer a cavity under pressure comes to the incompressible one.
+TEST(LagrangianCode, ClosesACavityInAStiffSolidLikeAnIncompressibleOne) {
+  ElasticPlasticSolid solid = aluminium;
+  solid.hardening = 0;
+  const PressedCavity cavity{1e-6, solid.fluid.density, solid.yield_stress, solid.shear_modulus};
+  solid.fluid.sound_speed *= 8;
+  const double pressure = 0.8 * closing_pressure(cavity);
+  const CavityStop stop = pressed_cavity_stop(cavity, pressure);
+  const CavityHistory history = compressible_cavity(solid, cavity.radius, pressure, 1.1 * stop.time, 40);
+  EXPECT_NEAR(history.least() / stop.radius, 1, 0.01);
+  const double middle = 0.5 * (cavity.radius + stop.radius);
+  EXPECT_NEAR(history.time_at(middle) / pressed_cavity_time(cavity, pressure, middle), 1, 0.02);
 }
 
 TEST(LagrangianCode, RefusesImpossibleInput) {

@@ -23,6 +23,9 @@ Lagrangian1d::Lagrangian1d(const ElasticPlasticSolid& solid, Geometry geometry, 
     const double volume = area(k) * length(k);
     if (!(volume > 0)) throw std::invalid_argument("lagrangian_1d: positions must rise, radii be positive");
     cells_.push_back({.mass = solid_.fluid.density * volume, .volume = volume, .strain_rate = 0});
+    cells_[k].pressure = options.pressure;
+    if (options.pressure != 0)
+      cells_[k].energy = options.pressure / (solid_.fluid.gamma * solid_.fluid.density);
     node_mass_[k] += cells_[k].mass / 2;
     node_mass_[k + 1] += cells_[k].mass / 2;
   }
@@ -155,6 +158,32 @@ ShellStop compressible_shell_stop(const ElasticPlasticSolid& solid, double inner
     if (a < stop.radius) stop = {false, a, code.time()};
   }
   return stop;
+}
+
+double CavityHistory::time_at(double value) const {
+  for (std::size_t k = 1; k < radius.size(); ++k)
+    if (radius[k] <= value)
+      return time[k - 1] + (time[k] - time[k - 1]) * (radius[k - 1] - value) / (radius[k - 1] - radius[k]);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+double CavityHistory::least() const { return *std::ranges::min_element(radius); }
+
+CavityHistory compressible_cavity(const ElasticPlasticSolid& solid, double radius, double far_pressure,
+                                  double end_time, int cells) {
+  const MieGruneisenFluid& fluid = solid.fluid;
+  const double sound = std::sqrt(square(fluid.sound_speed) + 4 * solid.shear_modulus / (3 * fluid.density));
+  std::vector<double> r{radius};
+  while (r.back() < radius + sound * end_time)  // nothing comes back from there; cells as in proportion to r
+    r.push_back(r.back() * (1 + 1.0 / cells));
+  Lagrangian1d::Options options;
+  options.pressure = far_pressure;
+  Lagrangian1d code(solid, Lagrangian1d::Geometry::spherical, r, std::vector<double>(r.size(), 0), options);
+  CavityHistory history{{0}, {radius}};
+  while (code.time() < end_time && history.radius.back() > radius / 20) {
+    code.advance(end_time - code.time());
+    history.time.push_back(code.time()), history.radius.push_back(code.positions()[0]);
+  }
+  return history;
 }
 
 }  // namespace mpm::verification::exact

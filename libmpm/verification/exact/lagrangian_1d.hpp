@@ -27,9 +27,10 @@ class Lagrangian1d {
     double cfl = 0.25;                 ///< share of the stability limit [1]
     bool wall = false;                 ///< at the place of the first node; pushes and does not pull
     double spall_strength = std::numeric_limits<double>::infinity();  ///< P >= -spall_strength [Pa]
+    double pressure = 0;  ///< at the start, by heat at the density of rest [Pa]
   };
 
-  /// Positions rise; one more than cells. Cells are at rest density and free of stress.
+  /// Positions rise; one more than cells. Cells are at rest density and free of stress, but for the pressure.
   Lagrangian1d(const ElasticPlasticSolid&, Geometry, std::vector<double> positions,
                std::vector<double> velocities, const Options&);
 
@@ -79,5 +80,17 @@ std::vector<ImpactSample> impact_history(const ElasticPlasticSolid&, double impa
 /// radius is smallest. `solid` gives density, yield stress and hardening. Cylinder or sphere.
 ShellStop compressible_shell_stop(const ElasticPlasticSolid& solid, double inner_radius, double outer_radius,
                                   double inner_speed, int cells, bool spherical = false);
+
+/// The cavity of pressed_cavity.hpp, but in a compressible solid that is under the pressure from the start:
+/// its radius step by step, up to `end_time` or a twentieth of the first radius. `cells` to the first radius.
+struct CavityHistory {
+  std::vector<double> time, radius;
+
+  /// When the radius falls to that value; NaN where it does not [s].
+  double time_at(double value) const;
+  double least() const;  ///< [m]
+};
+CavityHistory compressible_cavity(const ElasticPlasticSolid& solid, double radius, double far_pressure,
+                                  double end_time, int cells);
 
 }  // namespace mpm::verification::exact

@@ -37,6 +37,21 @@ ExactNumbers octant(const ExactOptions& o) {
   return imploding_octant_numbers(sphere_speeds[Row], o);
 }
 
+/// Share of the pressure that closes it, in percent.
+template <int Percent>
+ExactNumbers pressed(const ExactOptions& o) {
+  return pressed_cavity_numbers(Percent / 100.0, o);
+}
+
+template <mpm::Space Space>
+ExactNumbers noh(const ExactOptions& o) {
+  return noh_numbers(Space, o);
+}
+template <mpm::Space Space>
+ExactNumbers sedov(const ExactOptions& o) {
+  return sedov_numbers(Space, o);
+}
+
 const ExactProblem ladder[] = {
     {"hugoniot", "material point behind a steady shock, 20 to 3000 m/s: jump conditions", hugoniot_numbers},
     {"uniaxial-path", "material point loaded, unloaded and loaded again in uniaxial strain",
@@ -65,6 +80,18 @@ const ExactProblem ladder[] = {
     {"octant-234", "imploding sphere in three dimensions, 234.7 m/s, perfectly plastic", octant<0>},
     {"octant-277", "imploding sphere in three dimensions, 277.3 m/s, perfectly plastic", octant<1>},
     {"octant-306", "imploding sphere in three dimensions, 306.9 m/s, perfectly plastic", octant<2>},
+    {"pressed-cavity-50", "spherical cavity at 0.5 of the pressure that closes it", pressed<50>},
+    {"pressed-cavity-80", "spherical cavity at 0.8 of that pressure", pressed<80>},
+    {"pressed-cavity-95", "spherical cavity at 0.95 of that pressure: it stays open", pressed<95>},
+    {"pressed-cavity-105", "spherical cavity at 1.05 of that pressure: it closes", pressed<105>},
+    {"pressed-cavity-150", "spherical cavity at 1.5 of that pressure", pressed<150>},
+    {"noh-cylinder", "ideal gas that flows to the axis of a cylinder, gamma = 5/3",
+     noh<mpm::Space::plane_strain>},
+    {"noh-sphere", "ideal gas that flows to the centre of a sphere, in axisymmetry",
+     noh<mpm::Space::axisymmetric>},
+    {"sedov-cylinder", "explosion along the axis of a cylinder of ideal gas, gamma = 1.4",
+     sedov<mpm::Space::plane_strain>},
+    {"sedov-sphere", "explosion at a point of ideal gas, in axisymmetry", sedov<mpm::Space::axisymmetric>},
     {"axis-aligned", "manufactured solution at 16 % strain: order of convergence", axis_aligned_numbers},
     {"vortex", "generalised vortex: order of convergence", vortex_numbers},
     {"vibrating-bar", "first mode of a bar fixed at one end", vibrating_bar_numbers},

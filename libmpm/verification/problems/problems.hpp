@@ -27,6 +27,14 @@ ExactNumbers imploding_sphere_numbers(double inner_speed, const ExactOptions&);
 /// the wall.
 ExactNumbers imploding_octant_numbers(double inner_speed, const ExactOptions&);
 
+/// pressed_cavity.cpp: a spherical cavity of 1 um in aluminium under a pressure, as a share of that which
+/// closes it; axisymmetry, 0.1 um cells.
+ExactNumbers pressed_cavity_numbers(double share, const ExactOptions&);
+
+// blast_waves.cpp: strong shocks of an ideal gas, in plane strain a cylinder, in axisymmetry a sphere.
+ExactNumbers noh_numbers(mpm::Space, const ExactOptions&);    ///< cells of a hundredth of the radius
+ExactNumbers sedov_numbers(mpm::Space, const ExactOptions&);  ///< cells of a fiftieth of the radius
+
 // elastic_numbers.cpp: neo-Hookean bodies.
 ExactNumbers axis_aligned_numbers(const ExactOptions&);
 ExactNumbers vortex_numbers(const ExactOptions&);
