@@ -16,6 +16,7 @@
 #include "runner/catalog/reader.hpp"
 #include "runner/cli/ask.hpp"
 #include "runner/cli/last_run.hpp"
+#include "runner/cli/print_defaults.hpp"
 #include "runner/cli/print_search.hpp"
 #include "runner/cli/skipped_points.hpp"
 #include "runner/exec/processors.hpp"
@@ -30,10 +31,6 @@ namespace mpmstudy {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-bool contains(const std::vector<std::string>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 std::string duration(double seconds) {
   if (seconds < 120) return fmt::format("{:.3g} s", seconds);
@@ -78,37 +75,6 @@ void print_table(const std::vector<std::vector<std::string>>& rows) {
     std::string line = fmt::format("{:<{}}", row[0], widths[0]);
     for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format("  {:>{}}", row[i], widths[i]);
     fmt::print("{}\n", line);
-  }
-}
-
-/// "scheme gimp", "area_every 50 ps", or "area_every varies" where the jobs differ.
-template <class Row>
-std::string default_in_force(const Row& row, const Plan& plan) {
-  const mpm::Scene& first = plan.jobs.front().scene;
-  const bool same = std::all_of(plan.jobs.begin(), plan.jobs.end(),
-                                [&](const Job& job) { return row.get(job.scene) == row.get(first); });
-  return std::string(row.name) + " " + (same ? readable(row, first) : "varies");
-}
-
-/// Every parameter that the file leaves to the scene or to its material, a line per table.
-void print_defaults(const Study& study, const Plan& plan) {
-  const std::pair<mpm::Section, std::string> sections[] = {
-      {mpm::Section::top, "top of the file"},
-      {mpm::Section::parameters, "parameters"},
-      {mpm::Section::material, "material (" + default_in_force(mpm::material_choice(), plan) + ")"},
-      {mpm::Section::numerics, "numerics"},
-      {mpm::Section::measure, "measure"}};
-  fmt::print("Not in the file, so by default:\n");
-  for (const auto& [section, title] : sections) {
-    std::string line;
-    const auto add = [&](const auto& row) {
-      if (row.section != section || !row.belongs_to(study.kind) || contains(study.given, row.name)) return;
-      line += (line.empty() ? "" : ", ") + default_in_force(row, plan);
-    };
-    for (const mpm::Quantity& row : mpm::quantities())
-      if (!row.required) add(row);
-    for (const mpm::Choice& row : mpm::choices()) add(row);
-    if (!line.empty()) fmt::print("  {}: {}\n", title, line);
   }
 }
 
@@ -248,8 +214,12 @@ Json to_json(const Study& study, const Plan& plan, int workers, const std::strin
     parameters["snapshots_s"] = job.scene.measures.snapshots;
     if (!job.scene.measures.gauges.empty())
       parameters["gauges"] = Json::parse(gauges_text(job.scene.measures.gauges));
+    Json own = Json::object();
+    for (const mpm::Label& label : job.scene.labels)
+      own[label.name] = {{"value", label.value}, {"unit", label.unit}};
     return Json{{"key", job.key},
                 {"parameters", std::move(parameters)},
+                {"own_parameters", std::move(own)},
                 {"particles", job.estimate.particles},
                 {"steps", job.estimate.steps},
                 {"predicted_seconds", job.predicted_seconds},
