@@ -28,7 +28,8 @@ void check(const FieldPlot& plot) {
   bool something = false;
   for (const FieldPanel& panel : plot.panels) {
     const ParticleSquares& p = panel.particles;
-    if (p.y.size() != p.x.size() || p.size.size() != p.x.size() || p.value.size() != p.x.size())
+    if (p.y.size() != p.x.size() || p.size.size() != p.x.size() || p.value.size() != p.x.size() ||
+        (!p.material.empty() && p.material.size() != p.x.size()))
       throw std::invalid_argument("figure '" + plot.title + "': columns of panel '" + panel.title +
                                   "' have unequal lengths");
     something = something || !p.x.empty();
@@ -104,8 +105,41 @@ std::string bytes_of(Raster raster, double factor) {
   return {reinterpret_cast<const char*>(raster.values.data()), raster.values.size() * sizeof(float)};
 }
 
+/// As lines of gnuplot.
+std::string lines_of(const std::vector<Piece>& pieces, double factor) {
+  std::string text;
+  for (const Piece& p : pieces)
+    text += fmt::format("{:.6g} {:.6g}\n{:.6g} {:.6g}\n\n", p.x0 * factor, p.y0 * factor, p.x1 * factor,
+                        p.y1 * factor);
+  return text;
+}
+
+/// The largest of 1, 2, 5, 10, 20, ... in this unit that is at most a fifth of the width.
+double bar_length(double width) {
+  const double most = width / 5, power = std::pow(10, std::floor(std::log10(most)));
+  for (const double digit : {5.0, 2.0})
+    if (digit * power <= most) return digit * power;
+  return power;
+}
+
+/// A bar of a round length in the lower left corner of the first panel, on a ground of its own.
+std::string scale_bar_script(const Window& w, const DisplayUnit& length, const Layout& l) {
+  const double width = w.width() * length.factor, height = w.height() * length.factor;
+  const double bar = bar_length(width), point = width / l.panel_width;
+  const double x = w.x_min * length.factor + 0.03 * width, y = w.y_min * length.factor + 0.03 * height;
+  return fmt::format(
+      "set object 2 rectangle from first {:.9g},{:.9g} to first {:.9g},{:.9g} front fs solid 1 noborder fc "
+      "rgb "
+      "'#ffffff'\n"
+      "set arrow 1 from first {:.9g},{:.9g} to first {:.9g},{:.9g} nohead front lw 2.5 lc rgb '#000000'\n"
+      "set label 3 {} at first {:.9g},{:.9g} center front font ',8' tc rgb '#000000'\n",
+      x, y, x + bar + 10 * point, y + 17 * point, x + 5 * point, y + 4 * point, x + bar + 5 * point,
+      y + 4 * point, gnuplot_text(fmt::format("{:g} {}", bar, length.text)), x + 0.5 * bar + 5 * point,
+      y + 11 * point);
+}
+
 std::string panel_script(const FieldPlot& plot, const Layout& l, const Window& w, const DisplayUnit& length,
-                         const Raster& raster, std::size_t i) {
+                         const Raster& raster, bool outlined, std::size_t i) {
   const int column = static_cast<int>(i) % l.columns, row = static_cast<int>(i) / l.columns;
   const double width = l.figure.width, height = l.figure.height;
   const bool lowest = i + static_cast<std::size_t>(l.columns) >= plot.panels.size();
@@ -125,10 +159,13 @@ std::string panel_script(const FieldPlot& plot, const Layout& l, const Window& w
   const double dx = w.width() / raster.columns, dy = w.height() / raster.rows;
   text += fmt::format(
       "plot 'panel{}.bin' binary array=({},{}) format='%float' dx={:.9g} dy={:.9g} origin=({:.9g},{:.9g}) "
-      "with image notitle\n",
+      "with image notitle",
       i, raster.columns, raster.rows, dx * length.factor, dy * length.factor,
       (w.x_min + dx / 2) * length.factor, (w.y_min + dy / 2) * length.factor);
-  return text;
+  if (outlined)  // dark beside light: seen on every colour
+    for (const char* line : {"lw 2.2 lc rgb '#000000'", "lw 0.8 lc rgb '#ffffff'"})
+      text += fmt::format(", 'outline{}.txt' using 1:2 with lines {} notitle", i, line);
+  return text + "\n";
 }
 
 std::string frame_script(const FieldPlot& plot, const Layout& l, const Window& w, const DisplayUnit& length,
@@ -181,12 +218,16 @@ void draw(const FieldPlot& plot, const std::filesystem::path& stem) {
   const int rows = std::max(1, static_cast<int>(std::lround(layout.panel_height * pixels_per_point)));
 
   const FigureFolder folder(stem);
-  std::string script = frame_script(plot, layout, window, length, value, range) + "set multiplot\n";
+  std::string script = frame_script(plot, layout, window, length, value, range) +
+                       scale_bar_script(window, length, layout) + "set multiplot\n";
   for (std::size_t i = 0; i < plot.panels.size(); ++i) {
     const Raster raster = rasterise(plot.panels[i].particles, plot.mirrored, window, columns, rows);
     folder.write(fmt::format("panel{}.bin", i), bytes_of(raster, value.factor));
-    script += panel_script(plot, layout, window, length, raster, i);
-    if (i == 0) script += "unset label\nunset colorbox\n";  // they belong to the figure: once is enough
+    const auto pieces = outlines(plot.panels[i].particles, plot.mirrored, window, columns, rows);
+    if (!pieces.empty()) folder.write(fmt::format("outline{}.txt", i), lines_of(pieces, length.factor));
+    script += panel_script(plot, layout, window, length, raster, !pieces.empty(), i);
+    // they belong to the figure: once is enough
+    if (i == 0) script += "unset label\nunset colorbox\nunset arrow\nunset object 2\n";
   }
   run_gnuplot(folder, script + "unset multiplot\n", layout.figure, stem);
 }

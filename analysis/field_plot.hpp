@@ -34,8 +34,9 @@ struct FieldPlot {
 };
 
 /// Writes stem.png and stem.svg: one panel per snapshot, up to three in a row, all of one scale of length
-/// (both axes alike) and colour. Throws std::invalid_argument where there is nothing to draw or columns have
-/// unequal lengths, std::runtime_error where gnuplot or the disk fails.
+/// (both axes alike, a bar of a round length in the first) and colour; a line between materials. Throws
+/// std::invalid_argument where there is nothing to draw or columns have unequal lengths, std::runtime_error
+/// where gnuplot or the disk fails.
 void draw(const FieldPlot&, const std::filesystem::path& stem);
 
 }  // namespace analysis

@@ -81,6 +81,28 @@ Raster rasterise(const ParticleSquares& particles, bool mirrored, const Window& 
   return canvas.take();
 }
 
+std::vector<Piece> outlines(const ParticleSquares& particles, bool mirrored, const Window& w, int columns,
+                            int rows) {
+  std::vector<Piece> pieces;
+  if (particles.material.empty()) return pieces;
+  ParticleSquares numbers = particles;
+  numbers.value.assign(particles.material.begin(), particles.material.end());
+  const Raster raster = rasterise(numbers, mirrored, w, columns, rows);
+  const double dx = w.width() / columns, dy = w.height() / rows;
+  const auto at = [&](int i, int j) {
+    return raster.values[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                         static_cast<std::size_t>(i)];
+  };
+  const auto differ = [](float a, float b) { return std::isfinite(a) && std::isfinite(b) && a != b; };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const double x = w.x_min + i * dx, y = w.y_min + j * dy;
+      if (i > 0 && differ(at(i - 1, j), at(i, j))) pieces.push_back({x, y, x, y + dy});
+      if (j > 0 && differ(at(i, j - 1), at(i, j))) pieces.push_back({x, y, x + dx, y});
+    }
+  return pieces;
+}
+
 Window window_of(const std::vector<const ParticleSquares*>& snapshots, bool mirrored) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Window w{inf, -inf, inf, -inf};

@@ -12,9 +12,10 @@ struct Window {
 
 /// One snapshot: columns of one length, SI.
 struct ParticleSquares {
-  std::vector<double> x, y;   ///< centres [m]
-  std::vector<double> size;   ///< side of the square that it fills, e.g. sqrt(mass / density) [m]
-  std::vector<double> value;  ///< what is coloured
+  std::vector<double> x, y;        ///< centres [m]
+  std::vector<double> size;        ///< side of the square that it fills, e.g. sqrt(mass / density) [m]
+  std::vector<double> value;       ///< what is coloured
+  std::vector<int> material = {};  ///< its number; empty: there is one
 };
 
 /// Values by rows from the bottom, from left to right. A pixel that no particle covers is a nan.
@@ -29,6 +30,13 @@ struct Raster {
 /// ties aside.
 Raster rasterise(const ParticleSquares&, bool mirrored, const Window&, int columns, int rows,
                  double overlap = 2.2);
+
+/// Pieces of the lines between materials, along the edges of pixels: from (x0, y0) to (x1, y1) [m]. None
+/// between a material and nothing.
+struct Piece {
+  double x0, y0, x1, y1;
+};
+std::vector<Piece> outlines(const ParticleSquares&, bool mirrored, const Window&, int columns, int rows);
 
 /// Where nearly all particles of these snapshots are (all but one in a thousand at each side), with a margin.
 Window window_of(const std::vector<const ParticleSquares*>&, bool mirrored);

@@ -143,12 +143,14 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
 }
 
 /// One panel per snapshot; times have digits until they differ.
-std::vector<analysis::FieldPanel> panels_of(const std::vector<fs::path>& files, const std::string& field) {
+std::vector<analysis::FieldPanel> panels_of(const std::vector<fs::path>& files, const std::string& field,
+                                            const mpm::Scene& scene) {
+  const std::vector<int> materials = files.empty() ? std::vector<int>() : materials_of(scene);
   std::vector<analysis::FieldPanel> panels;
   std::vector<double> times;
   for (const fs::path& file : files) {
     const mpm::Snapshot s = mpm::read_vtkhdf(file);
-    panels.push_back({"", particles_of(s, field)});
+    panels.push_back({"", particles_of(s, field, materials)});
     times.push_back(s.time);
   }
   const auto titles = analysis::value_labels(label_of("time"), times);
@@ -168,7 +170,7 @@ std::vector<fs::path> draw_fields(const Study& study, const StudyResults& result
     plot.footer = footer_of(study, results);
     plot.value = label_of(request.y);
     plot.mirrored = mpm::kind_of(job.scene).is_half(job.scene);
-    plot.panels = panels_of(snapshots_of(results, job), request.y);
+    plot.panels = panels_of(snapshots_of(results, job), request.y, job.scene);
     if (plot.panels.empty()) continue;
     const std::string suffix = groups.size() == 1 ? "" : fmt::format("-{}", g + 1);
     stems.push_back(stem.string() + suffix);

@@ -99,6 +99,34 @@ double place_of(const std::string& svg, const std::string& text) {
   return std::stod(svg.substr(at + 10));
 }
 
+// A line between materials that touch, along their border; none around them, and none beside the hole.
+TEST(Raster, OutlinesMaterials) {
+  ParticleSquares p = make_block(0.02, 0.5);
+  EXPECT_TRUE(outlines(p, true, {-1.1, 1.1, -1.1, 1.1}, 440, 440).empty());
+  for (const double y : p.y) p.material.push_back(y > 0.75 ? 1 : 0);
+  double length = 0;
+  for (const Piece& piece : outlines(p, true, {-1.1, 1.1, -1.1, 1.1}, 440, 440)) {
+    length += std::hypot(piece.x1 - piece.x0, piece.y1 - piece.y0);
+    EXPECT_NEAR(piece.y0, 0.75, 0.02);
+  }
+  EXPECT_NEAR(length, 2, 0.05);
+}
+
+TEST_F(FieldPlotTest, MaterialsAreOutlinedAndLengthsHaveABar) {
+  FieldPlot plot;
+  plot.value = quantity_label("pressure", "Pa", "P");
+  plot.panels.push_back({"t = 0 ns", make_block(0.05, 0.5)});
+  plot.panels.push_back(plot.panels[0]);
+  draw(plot, folder_ / "one");
+  EXPECT_EQ(count(read("one.svg"), ">0.2 m<"), 1) << "in the first panel";
+  for (FieldPanel& panel : plot.panels)
+    for (const double y : panel.particles.y) panel.particles.material.push_back(y > 0);
+  draw(plot, folder_ / "two");
+  EXPECT_GT(count(read("two.svg"), "<path "), count(read("one.svg"), "<path "));
+  plot.panels[0].particles.material.pop_back();
+  EXPECT_THROW(draw(plot, folder_ / "f"), std::invalid_argument);
+}
+
 TEST_F(FieldPlotTest, TitlesOfNarrowPanelsStandApart) {
   FieldPlot plot;
   plot.title = "Pressure";
