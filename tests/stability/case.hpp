@@ -47,7 +47,17 @@ std::vector<Case> step_limit_cases();
 /// velocities that are next to nothing.
 std::vector<Case> same_cases();
 
-/// Scenes drawn from the whole range that find_problems() allows.
+/// Scenes drawn from the whole range that find_problems() allows: of the kinds in plane strain; in three
+/// dimensions; of bodies of one's own, in any space.
 std::vector<Case> random_cases(int count, std::uint64_t seed);
+std::vector<Case> random_solid_cases(int count, std::uint64_t seed);
+std::vector<Case> random_body_cases(int count, std::uint64_t seed);
+
+class Dice;
+/// A case for each of so many legal scenes. Whatever comes of one, it is said: done with its health in order,
+/// or failed with a reason; otherwise the note describes it.
+std::vector<Case> drawn_cases(const std::string& name, int count, std::uint64_t seed,
+                              const std::function<mpm::Scene(Dice&)>& draw,
+                              const std::function<std::string(const mpm::Scene&)>& described);
 
 }  // namespace stability

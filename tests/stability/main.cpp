@@ -57,11 +57,15 @@ int main(int argc, char** argv) {
   bool only_short = false;
   std::string filter, folder = SOURCE_DIR "/studies/stability";
   unsigned workers = static_cast<unsigned>(mpmstudy::usable_processors());
-  app.add_option("--random", random, "Random scenes")->check(CLI::Range(0, 1'000'000))->capture_default_str();
+  app.add_option("--random", random,
+                 "Random scenes of the kinds; half as many of bodies, a tenth in three dimensions")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
   app.add_option("--seed", seed, "Of the first random scene")->capture_default_str();
   app.add_option("--filter", filter, "Only cases whose name has this in it");
   app.add_option("-j,--workers", workers, "Threads")->check(CLI::Range(1u, 1024u));
-  app.add_flag("--short", only_short, "Leave out what takes more than seconds; 50 random scenes");
+  app.add_flag("--short", only_short,
+               "Leave out what takes more than seconds; 50 random scenes of the kinds");
   CLI11_PARSE(app, argc, argv);
   constexpr double short_cost = 3e7;  // particle updates
   if (only_short) random = std::min(random, 50);
@@ -78,6 +82,8 @@ int main(int argc, char** argv) {
   take(stability::same_cases());
   const std::size_t told = cases.size();  // each of these has a row; random scenes only where they surprise
   take(stability::random_cases(random, seed));
+  take(stability::random_body_cases(random / 2, seed));
+  take(stability::random_solid_cases(random / 10, seed));
   const std::vector<Outcome> outcomes = run_all(cases, workers);
 
   fmt::print(

@@ -1,28 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <sstream>
 
 #include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/parameters.hpp"
 #include "tests/stability/case.hpp"
+#include "tests/stability/dice.hpp"
 
 namespace stability {
 namespace {
-
-/// Numbers that do not depend on the standard library's distributions.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double between(double low, double high) { return low + (high - low) * unit(); }
-  double log_between(double low, double high) { return low * std::pow(high / low, unit()); }
-  std::size_t one_of(std::size_t n) { return static_cast<std::size_t>(unit() * static_cast<double>(n)); }
-  bool chance(double p) { return unit() < p; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// A legal scene; lengths are in units of its own scale, which spans 2^40.
 mpm::Scene draw(Dice& d) {
@@ -79,8 +65,29 @@ std::string described(const mpm::Scene& s) {
   return text.str();
 }
 
-/// Whatever comes of it, it is said: done with its health in order, or failed with a reason.
-Outcome run_random(const mpm::Scene& s) {
+/// Three axes on a dozen cells: the plain step, and as many particles.
+mpm::Scene draw_solid(Dice& d) {
+  mpm::Scene s = draw(d);
+  const mpm::Numerics drawn = s.numerics;
+  s.space = mpm::Space::three_d;
+  s.numerics = mpm::default_numerics(s.kind, s.space);
+  const mpm::ShapeFunction schemes[] = {mpm::ShapeFunction::gimp, mpm::ShapeFunction::bspline2,
+                                        mpm::ShapeFunction::bspline3};
+  s.numerics.scheme = schemes[d.one_of(3)];
+  s.numerics.transfer = d.chance(0.3) ? mpm::Transfer::apic : mpm::Transfer::flip;
+  s.numerics.particles_per_cell = d.chance(0.3) ? 1 : 8;
+  s.numerics.cfl = drawn.cfl, s.numerics.linear_viscosity = drawn.linear_viscosity;
+  s.numerics.quadratic_viscosity = drawn.quadratic_viscosity;
+  const mpm::Extent whole = mpm::kind_of(s).extent(s);
+  s.numerics.cell_size = std::min(whole.width, whole.height) / d.between(8, 14);
+  s.end_time = std::min(s.end_time, 2 * whole.width / s.material.bulk_sound_speed);
+  s.measures.area_every = s.end_time / 20;
+  return s;
+}
+
+}  // namespace
+
+static Outcome run_drawn(const mpm::Scene& s, const std::string& description) {
   const mpm::RunResult r = mpm::run(s);
   Outcome o = judge(r, 0.01);
   bool finite = std::isfinite(r.energy_error);
@@ -94,25 +101,33 @@ Outcome run_random(const mpm::Scene& s) {
     o.as_expected = finite && r.energy_error < 0.01 && o.largest_cfl <= 1 && beyond <= 0.01;
   else
     o.as_expected = r.status == mpm::RunStatus::failed && !r.reason.empty();
-  if (!o.as_expected) o.note += " " + described(s);
+  if (!o.as_expected) o.note += " " + description;
   return o;
 }
 
-}  // namespace
-
-std::vector<Case> random_cases(int count, std::uint64_t seed) {
+std::vector<Case> drawn_cases(const std::string& name, int count, std::uint64_t seed,
+                              const std::function<mpm::Scene(Dice&)>& draw,
+                              const std::function<std::string(const mpm::Scene&)>& described) {
   std::vector<Case> cases;
   for (int k = 0; k < count; ++k) {
     Dice dice(seed + static_cast<std::uint64_t>(k));
     mpm::Scene scene = draw(dice);
     while (!mpm::find_problems(scene).empty()) scene = draw(dice);
     const mpm::Estimate e = mpm::estimate(scene);
-    cases.push_back({"random", "seed " + std::to_string(seed + static_cast<std::uint64_t>(k)), "says",
+    cases.push_back({name, "seed " + std::to_string(seed + static_cast<std::uint64_t>(k)), "says",
                      "drawn from the whole legal range",
-                     static_cast<double>(e.particles) * static_cast<double>(e.steps),
-                     [scene] { return run_random(scene); }});
+                     static_cast<double>(e.particles) * static_cast<double>(e.steps) * e.update_cost,
+                     [scene, described] { return run_drawn(scene, described(scene)); }});
   }
   return cases;
+}
+
+std::vector<Case> random_cases(int count, std::uint64_t seed) {
+  return drawn_cases("random", count, seed, draw, described);
+}
+
+std::vector<Case> random_solid_cases(int count, std::uint64_t seed) {
+  return drawn_cases("random solid", count, seed, draw_solid, described);
 }
 
 }  // namespace stability
