@@ -96,6 +96,7 @@ struct Label {
   std::string name;
   double value = 0;  ///< SI
   std::string unit;
+  std::string written = {};  ///< as its study file would write it: "30 deg"; empty: with the unit above
 };
 
 /// One fully resolved run: plain data in SI units. A length or a speed that a kind of scene does not have is

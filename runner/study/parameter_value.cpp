@@ -35,7 +35,8 @@ double parameter_number(const mpm::Scene& scene, std::string_view name) {
 }
 
 std::string readable_parameter(const mpm::Scene& scene, std::string_view name) {
-  if (const mpm::Label* label = label_in(scene, name)) return readable(label->value, label->unit);
+  if (const mpm::Label* label = label_in(scene, name))
+    return label->written.empty() ? readable(label->value, label->unit) : label->written;
   if (const mpm::Quantity* row = mpm::find_quantity(name)) return readable(*row, scene);
   if (const mpm::Choice* row = mpm::find_choice(name)) return readable(*row, scene);
   return "";

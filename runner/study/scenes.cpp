@@ -168,6 +168,14 @@ std::vector<const Axis*> swept_axes(const SceneRequest& request) {
   return swept;
 }
 
+/// Of a parameter of the study's own, for people in the unit in which the file writes it.
+static mpm::Label own_label(const Axis& axis, double si, const WrittenUnits& units) {
+  mpm::Label label{std::string(axis.name()), si, std::string(axis.quantity->unit)};
+  const auto unit = units.find(label.name);
+  if (unit != units.end()) label.written = in_unit(si, unit->second);
+  return label;
+}
+
 SweptScenes build_scenes(const SceneRequest& request, const Combinations& combinations, Mistakes& mistakes) {
   const std::vector<Assignment> ordered = assignments(request.axes);
   const mpm::Scene base = base_scene(request);
@@ -203,7 +211,7 @@ SweptScenes build_scenes(const SceneRequest& request, const Combinations& combin
                             {one.axis->quantity->unit, one.axis->quantity->range}, of_job))
         continue;
       if (one.axis->own)
-        scene.labels.push_back({std::string(one.axis->name()), si, std::string(one.axis->quantity->unit)});
+        scene.labels.push_back(own_label(*one.axis, si, request.units));
       else if (one.axis->quantity)
         one.axis->quantity->set(scene, si);
       else

@@ -36,6 +36,7 @@ const WrittenUnit* unit_for(std::string_view si_unit, std::string_view parameter
   const mpm::Quantity* row = mpm::find_quantity(parameter);
   if (const WrittenUnit* own = written(parameter)) return own;
   if (const WrittenUnit* other = row ? written(row->alternative) : nullptr) return other;
+  if (si_unit == "1") return nullptr;  // degrees of an angle are not those of a ratio
   for (const auto& [name, unit] : units)
     if (written(name)) return &unit;
   return nullptr;
@@ -57,12 +58,16 @@ std::string quantity_in_written_unit(std::string_view text, std::string_view par
 
 }  // namespace
 
+std::string in_unit(double si, const WrittenUnit& unit) {
+  // 12 digits: without what the conversion to SI and back leaves.
+  return fmt::format("{:.12g} {}", (si - unit.offset) / unit.slope, unit.text);
+}
+
 std::string in_written_unit(double si, std::string_view si_unit, std::string_view parameter,
                             const WrittenUnits& units) {
   const WrittenUnit* unit = unit_for(si_unit, parameter, units);
   if (!unit || !std::isfinite(si)) return readable(si, si_unit);
-  // 12 digits: without what the conversion to SI and back leaves.
-  return fmt::format("{:.12g} {}", (si - unit->offset) / unit->slope, unit->text);
+  return in_unit(si, *unit);
 }
 
 std::string in_written_units(std::string_view message, std::string_view parameter,
@@ -90,7 +95,7 @@ std::optional<WrittenUnit> written_unit(const Value& value, std::string_view si_
   } else if (const std::string* written = value.string()) {
     text = unit_text(*written);
   }
-  if (text.empty() || si_unit == "1") return std::nullopt;
+  if (text.empty() || text == "1") return std::nullopt;
   const auto conversion = units.conversion(text, si_unit);
   const auto* to_si = std::get_if<Conversion>(&conversion);
   if (!to_si) return std::nullopt;

@@ -11,7 +11,10 @@ namespace mpmstudy {
 /// "um", of a list that of its first value. Empty: the value has none, or is no quantity of this SI unit.
 std::optional<WrittenUnit> written_unit(const Value&, std::string_view si_unit, const Units&);
 
-/// "0.25 um" of 2.5e-07: in the unit in which the file writes the parameter or its alternative, else another
+/// "0.25 um" of 2.5e-07.
+std::string in_unit(double si, const WrittenUnit&);
+
+/// The same: in the unit in which the file writes the parameter or its alternative, else another
 /// quantity of this SI unit, else with a prefix that keeps it short.
 std::string in_written_unit(double si, std::string_view si_unit, std::string_view parameter,
                             const WrittenUnits&);

@@ -9,6 +9,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "runner/plan/composition_text.hpp"
 #include "runner/plan/plan.hpp"
+#include "runner/study/parameter_value.hpp"
 #include "runner/study/study.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -163,6 +164,22 @@ TEST(Bodies, OfAChangedDensityAreWarnedOf) {
   EXPECT_THAT(study_of(text).warnings,
               testing::Contains(testing::HasSubstr("soft has another reference_density than its base, whose "
                                                    "specific_heat it keeps")));
+}
+
+// A person reads the unit of the file; the catalog has SI.
+TEST(OwnParameters, AreShownInTheUnitOfTheFile) {
+  std::string text = two_bodies;
+  text.replace(text.find("wall = "), 0, "angle = { values = [0, 30], unit = \"deg\" }\n");
+  const std::string shape = "outer_radius = \"radius\" }";
+  text.insert(text.find(shape) + shape.size(),
+              ", rotate = { angle = \"angle\", about = [\"2 um\", \"2 um\"] }");
+  text.replace(text.find("[\"300 m/s\", \"600 m/s\"]"), 22, "\"0.3 km/s\"");
+  const Study study = study_of(text);
+  ASSERT_EQ(study.scenes.size(), 2u);
+  EXPECT_EQ(readable_parameter(study.scenes[1], "angle"), "30 deg");
+  EXPECT_NEAR(*quantity_value(study.scenes[1], "angle"), 0.5235987755982988, 1e-15);
+  EXPECT_EQ(readable_parameter(study.scenes[1], "speed"), "0.3 km/s");
+  EXPECT_EQ(readable_parameter(study.scenes[1], "radius"), "1.5 um");  // of an expression
 }
 
 TEST(OwnParameters, PlaceGauges) {
