@@ -7,12 +7,14 @@
 
 #include "libmpm/material/eos/mie_grueneisen.hpp"
 #include "libmpm/material/eos/stiffened_gas.hpp"
+#include "libmpm/material/eos/tait.hpp"
 #include "libmpm/material/neo_hookean.hpp"
 #include "libmpm/material/solid.hpp"
 #include "libmpm/material/strength/failing.hpp"
 #include "libmpm/material/strength/fluid.hpp"
 #include "libmpm/material/strength/j2.hpp"
 #include "libmpm/material/strength/johnson_cook.hpp"
+#include "libmpm/material/strength/steinberg_guinan.hpp"
 
 namespace mpm {
 
@@ -32,6 +34,8 @@ using CompiledModels =
               Solid<Real, MieGrueneisenWithLinearTension, Elastic>,
               Solid<Real, MieGrueneisenWithLinearTension, IsotropicHardening>,
               Solid<Real, MieGrueneisenWithLinearTension, KinematicHardening>,  //
+              Solid<Real, MieGrueneisenEos, SteinbergGuinan>,                   //
+              Solid<Real, TaitEos, Fluid>,                                      //
               Solid<Real, StiffenedGas, Fluid>,                                 //
               NeoHookean<Real>>;
 

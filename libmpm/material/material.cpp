@@ -38,11 +38,12 @@ double shock_speed(const Material& m, double particle_speed) {
     const double half = 0.25 * (m.adiabatic_index + 1) * particle_speed;
     return half + std::sqrt(half * half + m.adiabatic_index * m.stiffening_pressure / m.reference_density);
   }
+  if (m.eos == EquationOfState::tait) return tait_shock_speed(m, particle_speed);
   return m.bulk_sound_speed + m.hugoniot_slope * particle_speed;
 }
 
 double pressure_per_energy(const Material& m) {
-  if (m.law != MaterialLaw::solid) return 0;
+  if (m.law != MaterialLaw::solid || m.eos == EquationOfState::tait) return 0;
   const double gamma = m.eos == EquationOfState::stiffened_gas ? m.adiabatic_index - 1 : m.gruneisen_gamma;
   return gamma * m.reference_density;
 }

@@ -33,13 +33,15 @@ enum class MaterialLaw {
 enum class EquationOfState {
   mie_grueneisen,  ///< on a linear Us-Up Hugoniot: eos/mie_grueneisen.hpp
   stiffened_gas,   ///< eos/stiffened_gas.hpp
+  tait,            ///< of the density alone: eos/tait.hpp
 };
 
 /// What the deviator follows from.
 enum class StrengthModel {
-  von_mises,     ///< with linear hardening: strength/j2.hpp
-  johnson_cook,  ///< strength/johnson_cook.hpp
-  none,          ///< a fluid: there is no deviator
+  von_mises,         ///< with linear hardening: strength/j2.hpp
+  johnson_cook,      ///< strength/johnson_cook.hpp
+  steinberg_guinan,  ///< strength/steinberg_guinan.hpp
+  none,              ///< a fluid: there is no deviator
 };
 
 /// Everything that a scene says about its material. SI units. Plain data; kernels build their own from it.
@@ -68,6 +70,15 @@ struct Material {
   // Of the stiffened gas.
   double adiabatic_index = 0;      ///< gamma [1], > 1
   double stiffening_pressure = 0;  ///< P_inf [Pa]
+  // Of Tait.
+  double tait_pressure = 0;  ///< B [Pa]
+  double tait_exponent = 0;  ///< n [1]
+  // Of Steinberg-Guinan; Y0 is yield_stress, n hardening_exponent, T_melt0 melting_temperature.
+  double strain_factor = 0;          ///< beta [1]
+  double yield_limit = 0;            ///< Y_max [Pa]
+  double shear_per_pressure = 0;     ///< A = G'_P / G0 [1/Pa]
+  double shear_per_temperature = 0;  ///< B = -G'_T / G0 [1/K]
+  double melting_gamma_fall = 0;     ///< a [1]
   // Of Johnson-Cook; A is yield_stress, the lowest temperature initial_temperature.
   double strain_hardening = 0;       ///< B [Pa]
   double hardening_exponent = 0;     ///< n [1]

@@ -74,6 +74,14 @@ struct Point {
   N* own;               ///< the numbers of the model's own columns (StateColumn)
 };
 
+/// What a strength sees of pressure and heat, if it says asks_for_state.
+template <class N>
+struct ThermalState {
+  N dilation, energy, pressure;  ///< as in Point
+};
+template <class Strength>
+concept AsksForState = Strength::asks_for_state;
+
 /// Speeds of signals in a particle.
 template <class N>
 struct Signal {

@@ -42,6 +42,38 @@ constexpr NamedJohnsonCook of_johnson_cook[] = {
     {"steel-1006", "steel-1006", 350e6, 275e6, 0.36, 0.022, 1.00, 1811},
 };
 
+/// Steinberg-Guinan; the rest is that of the named material `like`, which has its G0 and Y0 from the same
+/// table. Steinberg 1996, UCRL-MA-106439, as the input files of the Uintah framework give them
+/// (SCG_CopperOFHC.xml, SCG_Aluminum6061-T6.xml); the model: Steinberg, Cochran, Guinan 1980, J. Appl. Phys.
+/// 51, 1498.
+struct NamedSteinbergGuinan {
+  std::string_view name, like;
+  double beta, n, limit, per_pressure, per_temperature, melting_temperature,
+      a;  ///< 1, 1, Pa, 1/Pa, 1/K, K, 1
+};
+constexpr NamedSteinbergGuinan of_steinberg_guinan[] = {
+    {"copper-steinberg-guinan", "copper", 36, 0.45, 640e6, 2.83e-11, 3.77e-4, 1790, 1.5},
+    {"aluminium-6061-t6-steinberg-guinan", "aluminium-6061-t6", 125, 0.10, 680e6, 6.52e-11, 6.16e-4, 1220,
+     1.5},
+};
+
+/// Water of 20 C by Tait's equation as Cole writes it, with n = 7.15 (R. H. Cole 1948, Underwater Explosions,
+/// Princeton); B = rho0 c0^2 / n of the sound speed 1482 m/s. It cavitates.
+Material water_of_tait() {
+  Material m;
+  m.name = "water-tait";
+  m.eos = EquationOfState::tait;
+  m.strength = StrengthModel::none;
+  m.reference_density = 998.2;
+  m.tait_exponent = 7.15;
+  m.tait_pressure = 998.2 * 1482 * 1482 / 7.15;
+  m.specific_heat = 4184;
+  m.initial_temperature = 293;
+  m.pressure_limit = 2.5e9;  // Cole: up to about 25 kbar
+  m.tension = Tension::cutoff;
+  return m;
+}
+
 /// Liquid water, a stiffened gas: O. Le Metayer, J. Massoni, R. Saurel 2004, Int. J. Thermal Sci. 43, 265;
 /// its tension is cut off at 0: it cavitates.
 Material water() {
@@ -110,14 +142,32 @@ Material from(const NamedJohnsonCook& row, Material m) {
   return m;
 }
 
-constexpr auto names =
-    std::to_array<std::string_view>({"aluminium", "aluminium-6061-t6", "copper", "tungsten", "tantalum",
-                                     "pmma", "steel-1006", "copper-johnson-cook", "water"});
+Material from(const NamedSteinbergGuinan& row) {
+  Material m = named_material(row.like);
+  m.name = row.name;
+  m.strength = StrengthModel::steinberg_guinan;
+  m.strain_factor = row.beta;
+  m.hardening_exponent = row.n;
+  m.yield_limit = row.limit;
+  m.shear_per_pressure = row.per_pressure;
+  m.shear_per_temperature = row.per_temperature;
+  m.melting_temperature = row.melting_temperature;
+  m.melting_gamma_fall = row.a;
+  return m;
+}
+
+constexpr auto names = std::to_array<std::string_view>(
+    {"aluminium", "aluminium-6061-t6", "copper", "tungsten", "tantalum", "pmma", "steel-1006",
+     "copper-johnson-cook", "water", "copper-steinberg-guinan", "aluminium-6061-t6-steinberg-guinan",
+     "water-tait"});
 
 }  // namespace
 
 Material named_material(std::string_view name) {
   if (name == "aluminium") return aluminium();
+  if (name == "water-tait") return water_of_tait();
+  const auto sg = std::ranges::find(of_steinberg_guinan, name, &NamedSteinbergGuinan::name);
+  if (sg != std::end(of_steinberg_guinan)) return from(*sg);
   if (name == "water") return water();
   const auto jc = std::ranges::find(of_johnson_cook, name, &NamedJohnsonCook::name);
   const std::string_view constants = jc == std::end(of_johnson_cook) ? name : jc->like;

@@ -5,20 +5,25 @@
 
 #include "libmpm/material/eos/mie_grueneisen.hpp"
 #include "libmpm/material/eos/stiffened_gas.hpp"
+#include "libmpm/material/eos/tait.hpp"
 #include "libmpm/material/eos/temperature.hpp"
 #include "libmpm/material/row.hpp"
 #include "libmpm/material/strength/failing.hpp"
 #include "libmpm/material/strength/j2.hpp"
 #include "libmpm/material/strength/johnson_cook.hpp"
+#include "libmpm/material/strength/steinberg_guinan.hpp"
 
 namespace mpm {
 namespace detail {
 
-inline constexpr auto eos_words = words<EquationOfState>(
-    {{EquationOfState::mie_grueneisen, "mie-grueneisen"}, {EquationOfState::stiffened_gas, "stiffened-gas"}});
-inline constexpr auto strength_words = words<StrengthModel>({{StrengthModel::von_mises, "von-mises"},
-                                                             {StrengthModel::johnson_cook, "johnson-cook"},
-                                                             {StrengthModel::none, "none"}});
+inline constexpr auto eos_words = words<EquationOfState>({{EquationOfState::mie_grueneisen, "mie-grueneisen"},
+                                                          {EquationOfState::stiffened_gas, "stiffened-gas"},
+                                                          {EquationOfState::tait, "tait"}});
+inline constexpr auto strength_words =
+    words<StrengthModel>({{StrengthModel::von_mises, "von-mises"},
+                          {StrengthModel::johnson_cook, "johnson-cook"},
+                          {StrengthModel::steinberg_guinan, "steinberg-guinan"},
+                          {StrengthModel::none, "none"}});
 inline constexpr auto law_words =
     words<MaterialLaw>({{MaterialLaw::solid, "solid"}, {MaterialLaw::neo_hookean, "neo-hookean"}});
 
@@ -59,7 +64,7 @@ constexpr auto joined(const Row (&... lists)[sizes]) {
 /// A list more for a model with constants of its own.
 inline constexpr auto material_rows =
     detail::joined(detail::rows_of_all, j2_rows, mie_grueneisen_rows, temperature_rows, tension_rows,
-                   failure_rows, johnson_cook_rows, stiffened_gas_rows);
+                   failure_rows, johnson_cook_rows, stiffened_gas_rows, tait_rows, steinberg_guinan_rows);
 inline constexpr auto material_choices = detail::joined(tension_choices, j2_choices, detail::choices_of_all);
 
 }  // namespace mpm

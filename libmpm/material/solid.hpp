@@ -8,8 +8,8 @@ namespace mpm {
 /// of the step,
 ///   dt (s : D - (P + q) tr D) / (2 rho),
 /// takes it to the end, where the pressure is wanted. That is linear in P and solved for it.
-/// Eos: MieGrueneisenEos, StiffenedGas. Strength: Elastic, IsotropicHardening, KinematicHardening,
-/// JohnsonCook, Fluid, and Failing of those that flow.
+/// Eos: MieGrueneisenEos, StiffenedGas, TaitEos. Strength: Elastic, IsotropicHardening, KinematicHardening,
+/// JohnsonCook, SteinbergGuinan, Fluid, and Failing of those that flow.
 template <class Real, template <class> class Eos, class Strength>
 struct Solid {
   Eos<Real> eos;
@@ -36,8 +36,14 @@ struct Solid {
   }
 
   template <class N, class Tensor, class Space>
-  MPM_INLINE void shear(const Point<N, Tensor>& p, const Strain<N, Space>& e, Real inverse_dt) const {
-    Strength::update(strength, p.stress, p.own, e, N(eos.inverse_rho0 * (1 + p.dilation)), inverse_dt);
+  MPM_INLINE void shear(const Point<N, Tensor>& p, const Strain<N, Space>& e,
+                        [[maybe_unused]] Real inverse_dt) const {
+    const N volume = eos.inverse_rho0 * (1 + p.dilation);
+    if constexpr (AsksForState<Strength>)
+      Strength::update(strength, p.stress, p.own, e, volume,
+                       ThermalState<N>{p.dilation, p.energy, p.pressure});
+    else
+      Strength::update(strength, p.stress, p.own, e, volume, inverse_dt);
   }
 
   template <class N, class Tensor, class Space>
@@ -54,7 +60,10 @@ struct Solid {
     if constexpr (Strength::fails) p.pressure = strength.held(p.pressure, p.own);
     p.viscous_pressure = viscous.pressure;
     N longitudinal = at.sound_square;
-    if constexpr (Strength::has_deviator)
+    if constexpr (AsksForState<Strength>)
+      longitudinal += Real(4.0 / 3.0) * specific_volume *
+                      Strength::shear_modulus(strength, ThermalState<N>{p.dilation, p.energy, p.pressure});
+    else if constexpr (Strength::has_deviator)
       longitudinal += (Real(4.0 / 3.0) * strength.shear_modulus) * specific_volume;
     return {viscous.speed, longitudinal};
   }

@@ -32,8 +32,13 @@ void check_ranges(const Scene& s, Report& report, const Wanted& wanted) {
 
 void check_model(const Scene& s, Report& report) {
   if (!has_model(s.material)) {
-    const bool gas = s.material.eos == EquationOfState::stiffened_gas;
-    report.add_choice("strength", gas ? "\"none\" with eos = \"stiffened-gas\", and tension not \"linear\""
+    const Material& m = s.material;
+    report.add_choice("strength", m.eos == EquationOfState::stiffened_gas
+                                      ? "\"none\" with eos = \"stiffened-gas\", and tension not \"linear\""
+                                  : m.eos == EquationOfState::tait
+                                      ? "\"none\" with eos = \"tait\", and tension not \"linear\""
+                                  : m.strength == StrengthModel::steinberg_guinan && m.fails()
+                                      ? "another one with a failure_strain: \"steinberg-guinan\" has none"
                                       : "\"von-mises\", without failure_strain, when tension is \"linear\"");
   }
 }
@@ -48,6 +53,16 @@ void check_material(const Material& m, Report& report) {
                    "more than 0 with a rate_hardening");
     report.require(m.softening_exponent == 0 || m.melting_temperature > m.initial_temperature,
                    "melting_temperature", "above initial_temperature with a softening_exponent");
+  }
+  if (m.law == MaterialLaw::solid && m.eos == EquationOfState::tait) {
+    report.require(m.tait_exponent > 1, "tait_exponent", "more than 1 with eos = \"tait\"");
+    report.require(m.tait_pressure > 0, "tait_pressure", "more than 0 with eos = \"tait\"");
+  }
+  if (m.law == MaterialLaw::solid && m.strength == StrengthModel::steinberg_guinan) {
+    report.require(m.yield_limit >= m.yield_stress, "yield_limit",
+                   "at least yield_stress (" + text_of(m.yield_stress) + " Pa)");
+    report.require(m.melting_temperature > m.initial_temperature, "melting_temperature",
+                   "above initial_temperature with strength = \"steinberg-guinan\"");
   }
   report.require(m.kinematic_fraction <= 1, "kinematic_fraction", "from 0 to 1");
   report.require(m.hardening_measure != HardeningMeasure::tangent || m.hardening_modulus < m.youngs_modulus,

@@ -87,6 +87,11 @@ std::vector<mpm::Material> other_materials(const mpm::Material& like, double kin
     water.eos = mpm::EquationOfState::stiffened_gas;
     water.adiabatic_index = 4.4, water.stiffening_pressure = 17e9;
     water.pressure_limit = 1e8;
+    mpm::Material& tait = all.emplace_back(melt);
+    tait.eos = mpm::EquationOfState::tait;
+    tait.tait_exponent = 7, tait.tait_pressure = 10e9;
+    mpm::Material& sg = all.emplace_back(mpm::named_material("copper-steinberg-guinan"));
+    sg.reference_density = like.reference_density, sg.pressure_limit = 1e9;
     return all;
   }
   mpm::Material& failing = all.emplace_back(like);

@@ -48,7 +48,9 @@ void each_member(mpm::Scene& s, const Visit& visit) {
         hardening_modulus, hardening_measure, kinematic_fraction, bulk_sound_speed, hugoniot_slope,
         gruneisen_gamma, specific_heat, initial_temperature, pressure_limit, tension, spall_strength,
         failure_strain, adiabatic_index, stiffening_pressure, strain_hardening, hardening_exponent,
-        rate_hardening, reference_strain_rate, softening_exponent, melting_temperature)
+        rate_hardening, reference_strain_rate, softening_exponent, melting_temperature, tait_pressure,
+        tait_exponent, strain_factor, yield_limit, shear_per_pressure, shear_per_temperature,
+        melting_gamma_fall)
   VISIT(s.numerics, cell_size, particles_per_cell, scheme, transfer, symmetry, kernel, precision,
         pic_fraction, cfl, linear_viscosity, quadratic_viscosity)
   VISIT(s.measures, area_every, detached_for, decides, stop, snapshots, gauges)

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "libmpm/material/eos/tait.hpp"
+
 namespace mpm {
 
 double Temperature::operator()(double dilation, double energy) const {
@@ -13,6 +15,8 @@ double Temperature::operator()(double dilation, double energy) const {
                              ((growth - 1) / less_one - (1 - 1 / compressed));
     return material.initial_temperature * growth + (energy - isentrope) / material.specific_heat;
   }
+  if (material.eos == EquationOfState::tait)
+    return material.initial_temperature + (energy - tait_energy(material, dilation)) / material.specific_heat;
   // The isentrope is smooth in eta: 16 Runge-Kutta steps leave less than 1e-8 of e_s up to half the volume.
   constexpr int steps = 16;
   const double d = -dilation / steps;  // step in eta

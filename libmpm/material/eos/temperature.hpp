@@ -9,6 +9,7 @@ namespace mpm {
 /// Source: the Grueneisen relation at constant gamma rho; Zel'dovich & Raizer 1967, ch. XI.
 /// The same of the stiffened gas, whose Gamma = gamma - 1 is constant:
 ///   T_s = T0 (rho/rho0)^(gamma - 1),   e_s = P_inf / rho0 ((T_s/T0 - 1) / (gamma - 1) - (1 - rho0/rho))
+/// Of Tait, whose pressure knows no heat: T_s = T0 at all volumes.
 /// A neo-Hookean solid, whose law has no heat, stays at T0.
 /// Checked against the Hugoniot temperatures by tests/libmpm/material_test.cpp.
 struct Temperature {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "libmpm/material/strength/flow.hpp"
 #include "libmpm/material/strength/j2.hpp"
 
 namespace mpm {
@@ -43,30 +44,6 @@ struct JohnsonCookConstants {
     const double homologous = plastic_work * inverse_heat;
     return homologous >= 1 ? 0 : homologous > 0 ? 1 - __builtin_pow(homologous, m) : 1;
   }
-
-  /// The increment of p that takes the trial stress q back to the yield surface: the root of
-  ///   q - 3 G dp - sigma_Y(p + dp, dp / dt),
-  /// which falls with dp, by Newton's method kept between two ends that hold it.
-  MPM_INLINE double increment(double q, double p, double softened, double inverse_dt) const {
-    const double three_g = 3 * static_cast<double>(shear_modulus);
-    const auto excess = [&](double dp) __attribute__((always_inline)) {
-      return q - three_g * dp - hardened(p + dp) * of_rate(dp * inverse_dt) * softened;
-    };
-    double low = 0, high = q / three_g;
-    if (!(excess(0) > 0)) return 0;
-    double dp = excess(0) / three_g;
-    for (int k = 0; k < 60; ++k) {
-      const double f = excess(dp);
-      (f > 0 ? low : high) = dp;
-      const double step = 1e-6 * high, slope = (excess(dp + step) - f) / step;
-      double next = dp - f / slope;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      const bool done = !(__builtin_fabs(next - dp) > 1e-15 * high);
-      dp = next;
-      if (done) break;
-    }
-    return dp;
-  }
 };
 
 /// Own columns: equivalent plastic strain, plastic work.
@@ -84,24 +61,22 @@ struct JohnsonCook {
                                 const Strain<N, Space>& e, N specific_volume, Real inverse_dt) {
     const Tensor trial = sum(rotated(e.rotation, s), 2 * constants.shear_modulus, deviator(e.rate));
     const N mises = Number<N>::square_root(3 * second_invariant(trial));
-    // one lane at a time: roots take each lane as many turns as it needs
-    N increment{}, left = Number<N>::all(1), work{};
-    for (int lane = 0; lane < Number<N>::width; ++lane) {
-      const double q = Number<N>::lane(mises, lane), p = Number<N>::lane(own[own_plastic_strain], lane);
-      const double softened = constants.of_heat(Number<N>::lane(own[own_plastic_work], lane));
-      const double dp = constants.increment(q, p, softened, inverse_dt);
-      if (!(dp > 0)) continue;
-      const double end = q - 3 * static_cast<double>(constants.shear_modulus) * dp;
-      // the stress of the step, its hardening counted to the middle
-      const double before = constants.hardened(p), after = constants.hardened(p + dp);
-      Number<N>::set_lane(increment, lane, static_cast<Real>(dp));
-      Number<N>::set_lane(left, lane, static_cast<Real>(end / q));
-      const double middle = 0.5 * (1 + (after > 0 ? before / after : 1)) * end;
-      Number<N>::set_lane(work, lane, static_cast<Real>(dp * middle));
-    }
-    s = scaled(left, trial);
-    own[own_plastic_strain] += increment;
-    own[own_plastic_work] += work * specific_volume;
+    struct Flow {
+      const Constants<Real>& constants;
+      double softened, inverse_dt, three_g;
+      MPM_INLINE double hardened(double p) const { return constants.hardened(p); }
+      MPM_INLINE double stress(double p, double dp) const {
+        return hardened(p + dp) * constants.of_rate(dp * inverse_dt) * softened;
+      }
+    };
+    const auto r = returned(
+        mises, own[own_plastic_strain], [&](int lane) __attribute__((always_inline)) {
+          return Flow{constants, constants.of_heat(Number<N>::lane(own[own_plastic_work], lane)), inverse_dt,
+                      3 * static_cast<double>(constants.shear_modulus)};
+        });
+    s = scaled(r.left, trial);
+    own[own_plastic_strain] += r.increment;
+    own[own_plastic_work] += r.work * specific_volume;
   }
 };
 
@@ -109,11 +84,17 @@ inline constexpr MaterialUse strength_is_johnson_cook{"strength = \"johnson-cook
                                                         return m.law == MaterialLaw::solid &&
                                                                m.strength == StrengthModel::johnson_cook;
                                                       }};
+inline constexpr MaterialUse strength_has_an_exponent{
+    "strength = \"johnson-cook\" or \"steinberg-guinan\"", [](const Material& m) {
+      return m.law == MaterialLaw::solid &&
+             (m.strength == StrengthModel::johnson_cook || m.strength == StrengthModel::steinberg_guinan);
+    }};
 inline constexpr MaterialRow johnson_cook_rows[] = {
     {"strain_hardening", "Pa", "strain_hardening_Pa", "B of Johnson-Cook; A is yield_stress",
      Range::non_negative, &Material::strain_hardening, strength_is_johnson_cook, "", Section::material, 0.0},
-    {"hardening_exponent", "1", "hardening_exponent", "n of Johnson-Cook", Range::non_negative,
-     &Material::hardening_exponent, strength_is_johnson_cook, "", Section::material, 0.0},
+    {"hardening_exponent", "1", "hardening_exponent", "n of Johnson-Cook and of Steinberg-Guinan",
+     Range::non_negative, &Material::hardening_exponent, strength_has_an_exponent, "", Section::material,
+     0.0},
     {"rate_hardening", "1", "rate_hardening", "C of Johnson-Cook; 0: no effect of the rate",
      Range::non_negative, &Material::rate_hardening, strength_is_johnson_cook, "", Section::material, 0.0},
     {"reference_strain_rate", "s-1", "reference_strain_rate_per_s", "rate above which rate_hardening acts",
@@ -122,8 +103,9 @@ inline constexpr MaterialRow johnson_cook_rows[] = {
     {"softening_exponent", "1", "softening_exponent", "m of Johnson-Cook; 0: no effect of the temperature",
      Range::non_negative, &Material::softening_exponent, strength_is_johnson_cook, "", Section::material,
      0.0},
-    {"melting_temperature", "K", "melting_temperature_K", "temperature at which Johnson-Cook has no strength",
-     Range::non_negative, &Material::melting_temperature, strength_is_johnson_cook, "", Section::material,
+    {"melting_temperature", "K", "melting_temperature_K",
+     "temperature at which Johnson-Cook and, at the density of rest, Steinberg-Guinan have no strength",
+     Range::non_negative, &Material::melting_temperature, strength_has_an_exponent, "", Section::material,
      0.0},
 };
 

@@ -46,7 +46,7 @@ class FastStepper : public Stepper {
     double density = 0;                  ///< rho0 [kg/m^3]
     std::span<const StateColumn> own{};  ///< of the model
     Kernels<Real> kernels{};
-    alignas(16) std::array<std::byte, 256> model{};  ///< of material/list.hpp, for the kernels
+    alignas(16) std::array<std::byte, 320> model{};  ///< of material/list.hpp, for the kernels
     Constants<Real> constants{};
     std::optional<Blocks<Real>> blocks{};
   };
