@@ -67,6 +67,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, Examples,
                                          Example{"ellipse", "--cells 2", 4, 4},
                                          Example{"inclusion", "--cells 2", 2, 3},
                                          Example{"flyer", "--cells 2", 3, 3},
+                                         Example{"pressed-cavity", "--cells 2", 3, 3},
                                          Example{"taylor-bar", "--set cells_across=4", 1, 4}),
                          [](const auto& info) {
                            std::string name = info.param.name;
