@@ -21,6 +21,7 @@
 #include "runner/study/gauges.hpp"
 #include "runner/study/parameter_value.hpp"
 #include "runner/study/searched.hpp"
+#include "runner/study/written_unit.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -61,7 +62,11 @@ SweptValues swept_values(const Study& study, const std::string& name, const std:
     values.push_back(distinct[swept.which.back()]);
     swept.json.push_back(without_rounding(values.back()));
   }
-  swept.labels = analysis::value_labels(label_of_parameter(study, name), values);
+  const auto written = study.units.find(name);
+  if (!q && written != study.units.end() && quantity_unit(study, name) == "1")  // an angle in degrees
+    for (const double value : values) swept.labels.push_back(name + " = " + in_unit(value, written->second));
+  else
+    swept.labels = analysis::value_labels(label_of_parameter(study, name), values);
   return swept;
 }
 
