@@ -69,14 +69,16 @@ template <int axes>
 BasicBalance<axes>::BasicBalance(const State& s)
     : initial_energy_(energy_of(s.particles).total()),
       initial_momentum_(momentum_of(s.particles)),
-      momentum_scale_(0) {
+      momentum_scale_(0),
+      loads_(Loads::of(s)) {
   const auto& ps = s.particles;
   for (std::size_t p = 0; p < ps.size(); ++p) momentum_scale_ += ps.mass[p] * ps.velocity[p].norm();
 }
 
 template <int axes>
 void BasicBalance<axes>::after_step(const State&, const StepReport& report, double) {
-  impulse_ += report.wall_impulse;
+  impulse_ += report.wall_impulse + report.gravity_impulse + report.rigid_impulse;
+  loads_.add(report);
   transfer_heat_ += report.transfer_heat;
   overpressed_mass_ = std::max(overpressed_mass_, report.overpressed_mass);
 }
@@ -90,9 +92,10 @@ template <int axes>
 void BasicBalance<axes>::look_at(const State& s) {
   // a body at rest has neither: nothing off is no error
   const auto relative = [](double off, double scale) { return off == 0 ? 0 : off / scale; };
-  const double energy = relative(std::abs(energy_of(s.particles).total() - initial_energy_), initial_energy_);
-  const double momentum =
-      relative((momentum_of(s.particles) - initial_momentum_ - impulse_).norm(), momentum_scale_);
+  const double energy =
+      relative(std::abs(energy_of(s.particles).total() - initial_energy_ - loads_.work), energy_scale());
+  const double momentum = relative((momentum_of(s.particles) - initial_momentum_ - impulse_).norm(),
+                                   momentum_scale_ + loads_.gross_impulse);
   // written so that a NaN stays
   if (!(energy <= energy_error_)) energy_error_ = energy;
   if (!(momentum <= momentum_error_)) momentum_error_ = momentum;
@@ -105,9 +108,9 @@ void BasicBalance<axes>::finish(const State& s, RunResult& result) const {
   result.energy_error = now.energy_error_;
   result.metrics.push_back(metric(row_of(rows, "energy_error"), now.energy_error_));
   result.metrics.push_back(metric(row_of(rows, "momentum_error"), now.momentum_error_));
-  result.metrics.push_back(metric(row_of(rows, "transfer_heat_fraction"), transfer_heat_ / initial_energy_));
+  result.metrics.push_back(metric(row_of(rows, "transfer_heat_fraction"), transfer_heat_ / energy_scale()));
   result.metrics.push_back(
-      metric(row_of(rows, "final_kinetic_fraction"), energy_of(s.particles).kinetic / initial_energy_));
+      metric(row_of(rows, "final_kinetic_fraction"), energy_of(s.particles).kinetic / energy_scale()));
   double mass = 0;
   for (const double m : s.particles.mass) mass += m;
   result.metrics.push_back(metric(row_of(rows, "overpressed_mass_fraction"), overpressed_mass_ / mass));
@@ -118,6 +121,7 @@ void BasicBalance<axes>::carry(Archive& a) {
   a.number("impulse", impulse_), a.number("transfer_heat", transfer_heat_);
   a.number("energy_error", energy_error_), a.number("momentum_error", momentum_error_);
   a.number("overpressed_mass", overpressed_mass_);
+  loads_.carry(a);
 }
 
 template Energy energy_of(const Particles&);

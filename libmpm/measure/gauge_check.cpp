@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "libmpm/contact/contacts.hpp"
 #include "libmpm/measure/gauges.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/region_of.hpp"
@@ -72,10 +73,26 @@ class GaugeCheck {
     if (gauge_.body == all_bodies) return;
     std::string allowed(all_bodies);
     for (const ComposedBody& one : scene_.composition.bodies) {
+      if (one.rigid) continue;  // there are no particles
       if (one.name == gauge_.body) return;
       allowed += ", " + one.name;
     }
     add("body", gauge_.body, allowed);
+  }
+  void contact() {
+    const auto& bodies = scene_.composition.bodies;
+    std::vector<std::size_t> found;
+    for (const std::string& name : {gauge_.first, gauge_.second}) {
+      const auto body = std::ranges::find(bodies, name, &ComposedBody::name);
+      if (body != bodies.end())
+        found.push_back(static_cast<std::size_t>(body - bodies.begin()));
+      else
+        add("contact", name, "names of two bodies");
+    }
+    if (found.size() < 2) return;
+    const Contacts contacts(scene_);
+    if (contacts.field_of(found[0]) == contacts.field_of(found[1]))
+      add("contact", gauge_.first + ", " + gauge_.second, "two bodies that are not welded to each other");
   }
   /// The impulse of a step is of the floor, and of a mirror above.
   void wall(Floor floor, bool has_ceiling) {
@@ -139,6 +156,9 @@ void check_all(const Scene& scene, const Walls& walls, const Vec<axes>& low, con
       case GaugeTarget::body:
         check.body();
         break;
+      case GaugeTarget::contact:
+        check.contact();
+        break;
       case GaugeTarget::wall:
         check.wall(walls.floor, walls.has_ceiling);
         break;
@@ -181,7 +201,8 @@ void check_of_kind(const Scene& scene, Report& report) {
   const Vec<axes> margin = Vec<axes>::Constant(slack);
   const BasicRegion<axes> box =
       block<axes>(vector(all.low).head<axes>() - margin, vector(all.high).head<axes>() + margin);
-  for (const ComposedBody& one : all.bodies) bodies.push_back({region_of<axes>(one.shape) & box, {}});
+  for (const ComposedBody& one : all.bodies)
+    if (!one.rigid) bodies.push_back({region_of<axes>(one.shape) & box, {}});
   const auto inside = [&](const Vec<axes>& x) {
     for (int k = 0; k < axes; ++k)
       if (k != 1 && !(x[k] >= l.origin[k] - slack && x[k] <= high[k] + slack)) return false;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "libmpm/body/fill.hpp"
+#include "libmpm/contact/contacts.hpp"
 #include "libmpm/io/fields.hpp"
 #include "libmpm/measure/energy.hpp"
 #include "libmpm/scene/build.hpp"
@@ -214,6 +215,17 @@ BasicGauges<axes>::BasicGauges(const Scene& scene, const State& state) : gauges_
     histories_.push_back({gauge.name, std::string(quantity.unit_in(scene.space)), {}, {}});
     stop_times_.push_back(not_yet);
   }
+  for (std::size_t g = 0; g < gauges_.size(); ++g) {
+    if (gauges_[g].target != GaugeTarget::contact) continue;
+    const auto& bodies = scene.composition.bodies;
+    const Contacts contacts(scene);
+    const auto field = [&](const std::string& name) {
+      return contacts.field_of(
+          static_cast<std::size_t>(std::ranges::find(bodies, name, &ComposedBody::name) - bodies.begin()));
+    };
+    contacts_.push_back({g, field(gauges_[g].first), field(gauges_[g].second), axis_of(gauges_[g].of),
+                         gauges_[g].of.starts_with("force")});
+  }
 }
 
 template <int axes>
@@ -240,19 +252,27 @@ typename BasicGauges<axes>::Read BasicGauges<axes>::reading_of(const Gauge& gaug
     case GaugeTarget::body:
       return number_of_body<axes>(gauge.of, body_range(scene, state, gauge.body));
     case GaugeTarget::wall:
+    case GaugeTarget::contact:
       return {};
   }
   return {};
 }
 
 template <int axes>
-double BasicGauges<axes>::mean_force(double time) const {
-  return time > last_sample_ ? impulse_ / (time - last_sample_) : nothing;
+double BasicGauges<axes>::mean_force(double impulse, double time) const {
+  return time > last_sample_ ? impulse / (time - last_sample_) : nothing;
 }
 
 template <int axes>
 void BasicGauges<axes>::after_step(const State&, const StepReport& report, double) {
   impulse_ += report.wall_impulse.y();
+  for (Contact& contact : contacts_)
+    for (const BasicContactImpulse<axes>& pair : report.contacts) {
+      if (pair.first == contact.first && pair.second == contact.second)
+        contact.given += pair.on_first[contact.axis];
+      if (pair.first == contact.second && pair.second == contact.first)
+        contact.given -= pair.on_first[contact.axis];
+    }
 }
 
 template <int axes>
@@ -266,14 +286,24 @@ void BasicGauges<axes>::sample(const State& s, Observer&) {
     History& history = histories_[g];
     // a run that is decided at a sample is sampled again at its end
     if (!history.times.empty() && history.times.back() == s.time) continue;
-    const double value = reads_[g] ? reads_[g](s) : mean_force(s.time);
+    const double value = reading(g, s);
     if (!std::isfinite(value)) continue;
     history.times.push_back(s.time), history.values.push_back(value);
     for (const Threshold& stop : gauges_[g].stops)
       if (!std::isfinite(stop_times_[g])) stop_times_[g] = time_beyond(history, stop);
   }
   impulse_ = 0;
+  for (Contact& contact : contacts_)
+    if (contact.is_force) contact.given = 0;
   last_sample_ = s.time;
+}
+
+template <int axes>
+double BasicGauges<axes>::reading(std::size_t gauge, const State& s) const {
+  if (reads_[gauge]) return reads_[gauge](s);
+  const auto contact = std::ranges::find(contacts_, gauge, &Contact::gauge);
+  if (contact == contacts_.end()) return mean_force(impulse_, s.time);
+  return contact->is_force ? mean_force(contact->given, s.time) : contact->given;
 }
 
 double time_beyond(const History& h, const Threshold& stop) {
@@ -335,6 +365,7 @@ template <int axes>
 void BasicGauges<axes>::carry(Archive& a) {
   a.number("impulse", impulse_), a.number("last_sample", last_sample_);
   a.numbers("stop_times", stop_times_);
+  for (Contact& contact : contacts_) a.number("given_" + std::to_string(contact.gauge), contact.given);
   for (std::size_t g = 0; g < histories_.size(); ++g) {
     Archive one = a.part(std::to_string(g));
     one.numbers("times", histories_[g].times), one.numbers("values", histories_[g].values);

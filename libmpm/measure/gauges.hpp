@@ -32,6 +32,8 @@ Vec<axes> gauge_vector(const std::vector<double>& place) {
 /// body: sums over its particles, of what is modelled: half of a symmetric scene has half the mass, and the
 ///   centre of that half. Edges are those of the particles' domains.
 /// wall: the momentum that it gave since the sample before, over the time since then; none at time 0.
+/// contact: the same of what the field of the second body gave that of the first (contact/contacts.hpp), or
+///   all that it gave so far.
 ///
 /// Velocities are those that particles carry, which are half a time step older than their stresses
 /// (step.hpp). Stress and pressure are without artificial viscosity, as in snapshots. What depends on mass is
@@ -53,17 +55,27 @@ class BasicGauges : public BasicMeasurement<axes> {
   void carry(Archive&) override;
 
  private:
-  /// What a gauge reads now; not finite: nothing. Empty: of the wall.
+  /// What a gauge reads now; not finite: nothing. Empty: of the wall, or of a contact.
   using Read = std::function<double(const State&)>;
+  double reading(std::size_t gauge, const State&) const;
   static Read reading_of(const Gauge&, const Scene&, const State&);
-  double mean_force(double time) const;  ///< of the wall, since the last sample
+  double mean_force(double impulse, double time) const;  ///< since the last sample
 
   std::vector<Gauge> gauges_;
   std::vector<Read> reads_;
   std::vector<History> histories_;
   std::vector<double> stop_times_;  ///< when each gauge passed a threshold [s]; infinite: it has not
-  double impulse_ = 0;              ///< that the wall has given since the last sample, along its normal
-  double last_sample_ = 0;          ///< [s]
+  /// What a gauge of a contact looks at, and what it saw.
+  struct Contact {
+    std::size_t gauge;
+    int first, second;  ///< fields
+    int axis;
+    bool is_force;
+    double given = 0;  ///< since the last sample, of an impulse since time 0 [kg/s]
+  };
+  std::vector<Contact> contacts_;
+  double impulse_ = 0;      ///< that the wall has given since the last sample, along its normal
+  double last_sample_ = 0;  ///< [s]
 };
 
 /// Particles [first, last) of the body of that name of a composed scene; "all": of all of them.

@@ -125,12 +125,14 @@ BasicHealth<axes>::BasicHealth(const Scene& scene, const State& s, double speed)
       least_dilation_(largest_of(scene, [](const Material& m) { return m.is_ideal_gas() ? 1.0 : 0.0; }) > 0
                           ? -1
                           : crushed),
-      largest_signal_(largest_signal_growth * (largest_of(scene, sound_speed_at_rest) + speed)) {}
+      largest_signal_(largest_signal_growth * (largest_of(scene, sound_speed_at_rest) + speed)),
+      loads_(Loads::of(s)) {}
 
 template <int axes>
 void BasicHealth<axes>::after_step(const State&, const StepReport& report, double dt) {
   overstrained_mass_ = std::max(overstrained_mass_, report.overstrained_mass);
   last_ = report;
+  loads_.add(report);
   last_cfl_ = dt * report.largest_signal / cell_;
   largest_cfl_ = std::max(largest_cfl_, last_cfl_);
   smallest_dilation_ = std::min(smallest_dilation_, report.smallest_dilation);
@@ -146,7 +148,8 @@ typename BasicHealth<axes>::Trouble BasicHealth<axes>::trouble(double energy_err
   if (last_.overpressed_mass > most_beyond * mass_) return Trouble::pressure;
   if (last_.largest_signal > largest_signal_) return Trouble::signal;
   if (last_cfl_ > largest_cfl) return Trouble::time_step;
-  if (last_.kinetic_energy > (1 + largest_kinetic_growth) * initial_energy_) return Trouble::growth;
+  if (last_.kinetic_energy > (1 + largest_kinetic_growth) * (initial_energy_ + loads_.gross_work))
+    return Trouble::growth;
   if (!(energy_error < largest_energy_error)) return Trouble::energy;
   return Trouble::none;
 }
@@ -184,7 +187,7 @@ std::string BasicHealth<axes>::describe(Trouble trouble, const State& s, double 
       break;
     case Trouble::growth:
       text << "the motion grows by itself: kinetic energy " << last_.kinetic_energy << unit << ", of "
-           << initial_energy_ << unit << " that there were in all";
+           << initial_energy_ + loads_.gross_work << unit << " that there were in all";
       break;
     case Trouble::energy:
       text << "energy error " << energy_error << ", allowed " << largest_energy_error;
@@ -213,6 +216,7 @@ template <int axes>
 void BasicHealth<axes>::carry(Archive& a) {
   a.number("largest_cfl", largest_cfl_), a.number("overstrained_mass", overstrained_mass_);
   a.number("smallest_dilation", smallest_dilation_), a.number("largest_dilation", largest_dilation_);
+  loads_.carry(a);
 }
 
 template class BasicHealth<2>;

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "libmpm/measure/loads.hpp"
 #include "libmpm/measure/measurement.hpp"
 #include "libmpm/measure/results.hpp"
 
@@ -20,7 +21,8 @@ namespace mpm {
 ///   there;
 ///   - the fastest signal is a hundred times that of the impact: nothing physical is, and the run would crawl
 ///     on in ever smaller steps;
-///   - the kinetic energy is 1 % more than all the energy there was: internal energy cannot be less than
+///   - the kinetic energy is 1 % more than all the energy there was, with the work that was done on the
+///   bodies: internal energy cannot be less than
 ///     nothing, so that motion grows by itself. This is how a step shows that is too long for the scheme;
 ///   - total energy is off by 1 %.
 /// Metrics: smallest_density_ratio, largest_density_ratio (rho/rho0 of a particle, over the run),
@@ -48,6 +50,7 @@ class BasicHealth : public BasicMeasurement<axes> {
 
  private:
   double initial_energy_, mass_, pressure_limit_, cell_, least_dilation_, largest_signal_;
+  Loads loads_;
   StepReport last_;
   double last_cfl_ = 0, largest_cfl_ = 0;
   double smallest_dilation_ = 0, largest_dilation_ = 0, overstrained_mass_ = 0;

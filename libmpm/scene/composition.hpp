@@ -44,6 +44,23 @@ inline constexpr auto shape_forms = words<Shape::Form>({{Shape::Form::block, "bl
                                                         {Shape::Form::difference, "minus"},
                                                         {Shape::Form::intersection, "intersection"}});
 
+/// What two bodies do where they touch.
+enum class ContactLaw {
+  welded,        ///< they share the grid: neither slides nor parts, except as the grid lets it
+  frictionless,  ///< contact/frictionless.hpp
+  coulomb,       ///< contact/coulomb.hpp
+};
+inline constexpr auto contact_laws = words<ContactLaw>({{ContactLaw::welded, "welded"},
+                                                        {ContactLaw::frictionless, "frictionless"},
+                                                        {ContactLaw::coulomb, "coulomb"}});
+
+/// Of a pair of bodies; without names of all pairs that no other rule names.
+struct ContactRule {
+  std::string first, second;
+  ContactLaw law = ContactLaw::welded;
+  double friction = 0;  ///< mu, of Coulomb [1]; may be infinite
+};
+
 /// Towards a point or away from it, at the distance r from it with the speed
 ///   speed (r / at)^exponent                                          [m/s]
 /// An incompressible cylinder has the exponent -1, a sphere -2; 1: all parts keep their proportions; 0: one
@@ -57,7 +74,7 @@ struct RadialVelocity {
   bool operator==(const RadialVelocity&) const = default;
 };
 
-/// A region, its material, and how it moves at time 0. Bodies that touch are welded: they share the grid.
+/// A region, its material, and how it moves at time 0.
 struct ComposedBody {
   std::string name;
   Shape shape;
@@ -69,6 +86,9 @@ struct ComposedBody {
   /// Specific internal energy at time 0, above that of the material at rest [J/kg]: a body at the density of
   /// rest, heated there. Its pressure follows (pressure_per_energy()).
   double energy = 0;
+  /// Nothing deforms or stops it: it keeps velocity and spin, has no material and no particles, and acts on
+  /// others by contact alone (contact/rigid_body.hpp). `about` moves with it.
+  bool rigid = false;
 };
 
 /// What is at a side of the box.
@@ -89,10 +109,14 @@ inline constexpr auto side_words = words<Side>({{Side::left, "left"},
                                                 {Side::back, "back"}});
 
 struct Composition {
-  Triple low{}, high{};              ///< corners of the box that the bodies lie in [m]
-  std::array<Face, 6> faces{};       ///< in the order of Side; front and back of three axes
-  std::vector<ComposedBody> bodies;  ///< in the order of their materials
+  Triple low{}, high{};               ///< corners of the box that the bodies lie in [m]
+  std::array<Face, 6> faces{};        ///< in the order of Side; front and back of three axes
+  std::vector<ComposedBody> bodies;   ///< in the order of their materials
+  std::vector<ContactRule> contacts;  ///< pairs that none is of are welded
+  Triple gravity{};                   ///< acceleration of all that is in the box [m/s^2]
 
+  double gravity_rise = 0;  ///< over which gravity grows from nothing, evenly [s]
+  bool has_gravity() const { return gravity != Triple{}; }
   Face face(Side side) const { return faces[static_cast<std::size_t>(side)]; }
 };
 

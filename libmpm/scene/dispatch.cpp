@@ -3,49 +3,28 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "libmpm/contact/contact_stepper.hpp"
+#include "libmpm/contact/contacts.hpp"
 #include "libmpm/measure/gauges.hpp"
 #include "libmpm/measure/hot_spots.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
-#include "libmpm/shape/bspline2.hpp"
-#include "libmpm/shape/bspline3.hpp"
-#include "libmpm/shape/cpdi.hpp"
-#include "libmpm/shape/gimp.hpp"
-#include "libmpm/step/apic.hpp"
+#include "libmpm/scene/with_scheme.hpp"
 #include "libmpm/step/fast/fast_stepper.hpp"
-#include "libmpm/step/flip_pic.hpp"
 #include "libmpm/step/reference_stepper.hpp"
 
 namespace mpm {
 
 namespace {
 
-template <ShapeFunctions Shape, class Space>
-std::unique_ptr<BasicStepper<Space::axes>> reference_stepper_in(const Scene& s) {
-  if constexpr (!ShapeIn<Shape, Space>) {
-    throw std::logic_error("a scheme that this space does not have");
-  } else {
-    if (s.numerics.transfer == Transfer::apic)
-      return std::make_unique<ReferenceStepper<Shape, Apic, Space>>(build_materials(s));
-    const double f = s.numerics.pic_fraction;
-    if (f == 0) return std::make_unique<ReferenceStepper<Shape, Flip, Space>>(build_materials(s));
-    return std::make_unique<ReferenceStepper<Shape, FlipPic, Space>>(build_materials(s), FlipPic{f});
-  }
-}
-
 template <class Space>
 std::unique_ptr<BasicStepper<Space::axes>> reference_stepper(const Scene& s) {
-  switch (s.numerics.scheme) {
-    case ShapeFunction::gimp:
-      return reference_stepper_in<Gimp, Space>(s);
-    case ShapeFunction::bspline2:
-      return reference_stepper_in<BSpline2, Space>(s);
-    case ShapeFunction::cpdi:
-      return reference_stepper_in<Cpdi, Space>(s);
-    case ShapeFunction::bspline3:
-      return reference_stepper_in<BSpline3, Space>(s);
-  }
-  throw std::logic_error("a scheme that is not compiled");
+  return with_scheme<Space>(s,
+                            [&]<class Shape, class Transfer>(
+                                const Transfer& transfer) -> std::unique_ptr<BasicStepper<Space::axes>> {
+                              return std::make_unique<ReferenceStepper<Shape, Transfer, Space>>(
+                                  build_materials(s), transfer);
+                            });
 }
 
 template <class Real>
@@ -68,11 +47,13 @@ bool fast_step_has(const Scene& s) {
   const Numerics& n = s.numerics;
   return s.space != Space::three_d &&
          (n.scheme == ShapeFunction::gimp || n.scheme == ShapeFunction::bspline2) &&
-         n.transfer == Transfer::flip && n.pic_fraction == 0;
+         n.transfer == Transfer::flip && n.pic_fraction == 0 && !s.composition.has_gravity() &&
+         !has_contact(s);
 }
 
 template <>
 std::unique_ptr<Stepper> stepper_for<2>(const Scene& s) {
+  if (has_contact(s)) return contact_stepper<2>(s);
   switch (s.numerics.kernel) {
     case Kernel::fast:
       return fast_stepper(s);
@@ -84,6 +65,7 @@ std::unique_ptr<Stepper> stepper_for<2>(const Scene& s) {
 
 template <>
 std::unique_ptr<BasicStepper<3>> stepper_for<3>(const Scene& s) {
+  if (has_contact(s)) return contact_stepper<3>(s);
   return reference_stepper<space::ThreeD>(s);
 }
 

@@ -8,7 +8,7 @@
 namespace mpm {
 namespace {
 
-constexpr std::string_view targets[] = {"point", "place", "beam", "body", "wall"};
+constexpr std::string_view targets[] = {"point", "place", "beam", "body", "wall", "contact"};
 constexpr std::string_view windows[] = {"mean", "max", "min"};
 
 /// Of a particle, beside the fields of snapshots. Where it is, only a gauge that follows it says.
@@ -50,6 +50,15 @@ constexpr GaugeQuantity of_walls[] = {
     {.name = "force", .meaning = "push along the normal of the wall, positive away from it: mean since the sample before",
      .unit = "N/m", .axisymmetric = "N/rad", .three_d = "N"},
 };
+
+constexpr GaugeQuantity of_contacts[] = {
+    {.name = "force_x", .meaning = "push on the first body: mean since the sample before", .unit = "N/m", .axisymmetric = "N/rad", .three_d = "N"},
+    {.name = "force_y", .meaning = "push on the first body: mean since the sample before", .unit = "N/m", .axisymmetric = "N/rad", .three_d = "N"},
+    {.name = "force_z", .meaning = "push on the first body: mean since the sample before", .unit = "N/m", .axisymmetric = "N/rad", .three_d = "N", .only_of_three_axes = true},
+    {.name = "impulse_x", .meaning = "momentum that the first body was given so far", .unit = "kg/s", .axisymmetric = "kg m/s/rad", .three_d = "kg m/s"},
+    {.name = "impulse_y", .meaning = "momentum that the first body was given so far", .unit = "kg/s", .axisymmetric = "kg m/s/rad", .three_d = "kg m/s"},
+    {.name = "impulse_z", .meaning = "momentum that the first body was given so far", .unit = "kg/s", .axisymmetric = "kg m/s/rad", .three_d = "kg m/s", .only_of_three_axes = true},
+};
 // clang-format on
 
 /// The fields of snapshots, but for the mass, which says how the grid was filled.
@@ -86,9 +95,12 @@ std::optional<Window> window_from(std::string_view word) {
 
 const std::vector<GaugeQuantity>& gauge_quantities(GaugeTarget target) {
   static const std::array<std::vector<GaugeQuantity>, std::size(targets)> tables = {
-      of_particles(true), of_particles(false), of_particles(true),
+      of_particles(true),
+      of_particles(false),
+      of_particles(true),
       std::vector<GaugeQuantity>(std::begin(of_bodies), std::end(of_bodies)),
-      std::vector<GaugeQuantity>(std::begin(of_walls), std::end(of_walls))};
+      std::vector<GaugeQuantity>(std::begin(of_walls), std::end(of_walls)),
+      std::vector<GaugeQuantity>(std::begin(of_contacts), std::end(of_contacts))};
   return tables[static_cast<std::size_t>(target)];
 }
 

@@ -15,11 +15,12 @@ namespace mpm {
 
 /// What a gauge looks at.
 enum class GaugeTarget {
-  point,  ///< the material point that is at `place` at time 0, wherever it goes
-  place,  ///< a place that stays where it is, and the material that is there
-  beam,   ///< the first surface that a beam from `place` along `direction` meets, as a laser does
-  body,   ///< a body as a whole
-  wall,   ///< the push of a wall
+  point,    ///< the material point that is at `place` at time 0, wherever it goes
+  place,    ///< a place that stays where it is, and the material that is there
+  beam,     ///< the first surface that a beam from `place` along `direction` meets, as a laser does
+  body,     ///< a body as a whole
+  wall,     ///< the push of a wall
+  contact,  ///< what one body gives another where they touch
 };
 
 /// What becomes one number of a history between two times.
@@ -51,10 +52,11 @@ struct Gauge {
   std::string name;  ///< of its history; letters, digits, '-' and '_'
   std::string of;    ///< one of gauge_quantities(target): "velocity_y"
   GaugeTarget target = GaugeTarget::point;
-  std::vector<double> place = {};  ///< of point, place and beam: a coordinate for each axis [m]
-  std::string direction = "-y";    ///< of a beam: "+x", "-x", "+y", ...
-  std::string body = "all";        ///< of a body: which
-  std::string wall = "bottom";     ///< of a wall: which
+  std::vector<double> place = {};       ///< of point, place and beam: a coordinate for each axis [m]
+  std::string direction = "-y";         ///< of a beam: "+x", "-x", "+y", ...
+  std::string body = "all";             ///< of a body: which
+  std::string wall = "bottom";          ///< of a wall: which
+  std::string first = {}, second = {};  ///< of a contact: the bodies; forces are those on the first
   std::vector<Reduction> reductions = {};
   std::vector<Threshold> stops = {};
   bool operator==(const Gauge&) const = default;

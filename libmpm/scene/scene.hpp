@@ -134,8 +134,8 @@ double largest_of(const Scene& s, const Value& value) {
   return largest;
 }
 
-/// Whether the fast step knows the space, the scheme and the transfer; if not, the kernel must be the
-/// reference.
+/// Whether the fast step knows the space, the scheme, the transfer and all that acts on the bodies; if not,
+/// the kernel must be the reference.
 bool fast_step_has(const Scene&);
 
 /// The numerics that a kind of scene uses where a study says nothing (cell_size stays 0: it must be said).

@@ -84,7 +84,7 @@ void check_numerics(const Scene& s, Report& report) {
     report.add_choice("kernel",
                       "\"reference\": the fast step has space = \"plane-strain\" and \"axisymmetric\", "
                       "scheme = \"gimp\" and \"bspline2\", transfer = "
-                      "\"flip\", pic_fraction = 0");
+                      "\"flip\", pic_fraction = 0, and neither gravity nor contact");
   if (s.space == Space::axisymmetric) {
     if (n.scheme != ShapeFunction::gimp && n.scheme != ShapeFunction::bspline2)
       report.add_choice("scheme", "\"gimp\" or \"bspline2\" when space is \"axisymmetric\"");

@@ -18,10 +18,12 @@ namespace mpm {
 ///   sum_p m_p (v_p . a_p dt + |a_p|^2 dt^2/2)  +  the second term  =  dt sum_i m_i a_i . (v_i - dt a_i/2)
 /// Checked by tests/libmpm/step_test.cpp. Returns the second and third terms, summed [J/m]. In axisymmetry
 ///   L_zz = sum v_r,i h_ip / r_p   goes to hoop_rate, and sigma_zz times it, of the middle, joins the work.
-template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
+/// `fields`: as in p2g.
+template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain,
+          class Fields = OneField>
 double g2p(BasicParticles<Space::axes>& particles, const BasicGrid<Space::axes>& grid, double dt,
            std::vector<Mat<Space::axes>>& velocity_gradient, const Transfer& transfer = {},
-           [[maybe_unused]] std::vector<double>* hoop_rate = nullptr) {
+           [[maybe_unused]] std::vector<double>* hoop_rate = nullptr, Fields fields = {}) {
   constexpr int axes = Space::axes;
   double transfer_heat = 0;
   for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -34,8 +36,9 @@ double g2p(BasicParticles<Space::axes>& particles, const BasicGrid<Space::axes>&
     const Tensor<axes> stress = particles.stress(p);
     [[maybe_unused]] const double inverse_radius = 1 / particles.position[p].x();
     stencil.for_each(
-        grid, [&](const auto& n, double w, const Vec<axes>& g, [[maybe_unused]] double hoop = 0) {
-          sums.add(n, w, offset_of<Transfer>(grid, particles, p, n));
+        grid, [&](const auto& at, double w, const Vec<axes>& g, [[maybe_unused]] double hoop = 0) {
+          const auto& n = fields.node(at, p);
+          sums.add(n, w, offset_of<Transfer>(grid, particles, p, at));
           velocity += w * n.velocity;
           gradient += n.velocity * g.transpose();
           power += product(stress, g).dot(n.velocity - 0.5 * dt * n.acceleration);

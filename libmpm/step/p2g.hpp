@@ -1,6 +1,7 @@
 #pragma once
 #include "libmpm/shape/shape.hpp"
 #include "libmpm/step/flip.hpp"
+#include "libmpm/step/one_field.hpp"
 #include "libmpm/step/state.hpp"
 
 namespace mpm {
@@ -20,17 +21,20 @@ Vec<axes> offset_of(const BasicGrid<axes>& grid, const BasicParticles<axes>& par
 /// Sulsky, Chen, Schreyer 1994, Comput. Methods Appl. Mech. Engng 118, 179.
 /// v_p may depend on the node: it is what the transfer brings there. In axisymmetry the hoop stress gives
 ///   f_r,i -= V_p sigma_zz h_ip / r_p,   see space/space.hpp.
-template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain>
-void p2g(const BasicParticles<Space::axes>& particles, BasicGrid<Space::axes>& grid) {
+/// `fields`: which node it is, where bodies have velocity fields of their own.
+template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain,
+          class Fields = OneField>
+void p2g(const BasicParticles<Space::axes>& particles, BasicGrid<Space::axes>& grid, Fields fields = {}) {
   using Vector = Vec<Space::axes>;
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const auto stencil = stencil_of<Shape, Space>(grid, particles, p);
     const double mass = particles.mass[p];
     const Tensor<Space::axes> stress = particles.volume(p) * particles.stress(p);
     [[maybe_unused]] const double hoop_stress = stress.zz / particles.position[p].x();
-    stencil.for_each(grid, [&](auto& n, double w, const Vector& g, [[maybe_unused]] double hoop = 0) {
+    stencil.for_each(grid, [&](auto& at, double w, const Vector& g, [[maybe_unused]] double hoop = 0) {
+      auto& n = fields.node(at, p);
       n.mass += w * mass;
-      n.velocity += w * (mass * Transfer::brought(particles, p, offset_of<Transfer>(grid, particles, p, n)));
+      n.velocity += w * (mass * Transfer::brought(particles, p, offset_of<Transfer>(grid, particles, p, at)));
       n.acceleration -= product(stress, g);
       if constexpr (Space::has_hoop) n.acceleration.x() -= hoop * hoop_stress;
     });

@@ -11,6 +11,13 @@
 
 namespace mpm {
 
+/// What one field of bodies gave another in a step, both by their numbers (contact/contacts.hpp).
+template <int axes>
+struct BasicContactImpulse {
+  int first, second;                       ///< first < second
+  Vec<axes> on_first = Vec<axes>::Zero();  ///< the other one has the opposite [kg/s]
+};
+
 /// Sums over the particles after a step. Per metre of depth; in axisymmetry per radian; of three axes whole,
 /// in kg and J.
 template <int axes>
@@ -23,8 +30,16 @@ struct BasicStepReport {
   double overstrained_mass = 0;  ///< of particles outside its densities, Validity [kg/m]
   double kinetic_energy = 0;     ///< [J/m]
   double transfer_heat = 0;  ///< kinetic energy that the transfer took and left as heat in this step [J/m]
-  Vec<axes> wall_impulse = Vec<axes>::Zero();  ///< that all walls gave in this step [kg/s]
-  bool at_open_face = false;                   ///< a body has reached an open side or floor
+  Vec<axes> wall_impulse = Vec<axes>::Zero();     ///< that all walls gave in this step [kg/s]
+  double gravity_work = 0;                        ///< that gravity did in this step [J/m]
+  Vec<axes> gravity_impulse = Vec<axes>::Zero();  ///< that it gave [kg/s]
+  // Of contact between bodies.
+  double contact_heat = 0;   ///< kinetic energy that it left as heat in this step, friction with it [J/m]
+  double friction_heat = 0;  ///< [J/m]
+  double rigid_work = 0;     ///< that rigid bodies did on the others in this step [J/m]
+  Vec<axes> rigid_impulse = Vec<axes>::Zero();        ///< that they gave [kg/s]
+  std::vector<BasicContactImpulse<axes>> contacts{};  ///< of the pairs that touched
+  bool at_open_face = false;                          ///< a body has reached an open side or floor
 };
 using StepReport = BasicStepReport<2>;
 
@@ -44,6 +59,9 @@ struct BasicState {
   /// Row of nodes along which there is a mirror above the body, for the plain step.
   std::optional<int> ceiling{};
   OpenSides open{};
+  Vec<axes> gravity = Vec<axes>::Zero();  ///< acceleration of all particles, for the plain step [m/s^2]
+  double gravity_rise = 0;  ///< time over which it grows from nothing [s]
+  bool has_rigid_bodies = false;          ///< which are no particles, and may do work on those
 };
 using State = BasicState<2>;
 

@@ -3,9 +3,10 @@
 /// that every faster step is held against.
 ///
 /// Stages, in order (explicit, symplectic; stress last):
-///   1. p2g       mass, momentum and internal forces go to the grid, and body forces where there are any
+///   1. p2g       mass, momentum and internal forces go to the grid, gravity and body forces where there are
+///   any
 ///   2. mirrors   what lies behind a side wall is the image of what lies before it
-///   3. grid      a = f/m, v <- v + dt a; the impact wall pushes
+///   3. grid      a = f/m, v <- v + dt a; bodies in contact push each other, and the impact wall them
 ///   4. g2p       particles accelerate (flip.hpp, flip_pic.hpp, apic.hpp), move, receive their work and the
 ///                heat of the transfer
 ///   5. stress    density, deviator, pressure, viscosity from the new velocity gradient
@@ -27,6 +28,7 @@
 #include "libmpm/boundary/mirror.hpp"
 #include "libmpm/step/body_force.hpp"
 #include "libmpm/step/g2p.hpp"
+#include "libmpm/step/gravity.hpp"
 #include "libmpm/step/grid_update.hpp"
 #include "libmpm/step/p2g.hpp"
 #include "libmpm/step/stress_update.hpp"
@@ -34,10 +36,10 @@
 namespace mpm {
 
 template <ShapeFunctions Shape, class Transfer = Flip, class Space = space::PlaneStrain,
-          class Force = NoBodyForce>
+          class Force = NoBodyForce, class Fields = OneField>
 BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, const MaterialModels& materials,
-                                            double dt, const Transfer& transfer = {},
-                                            const Force& force = {}) {
+                                            double dt, const Transfer& transfer = {}, const Force& force = {},
+                                            Fields fields = {}) {
   static_assert(ShapeIn<Shape, Space>);
   BasicStepReport<Space::axes> report;
   auto& grid = state.grid;
@@ -59,18 +61,32 @@ BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, cons
   grid.grow_to_row(top);
   grid.clear();
 
-  p2g<Shape, Transfer, Space>(state.particles, grid);
+  fields.template start<Shape, Space>(state);
+  p2g<Shape, Transfer, Space>(state.particles, grid, fields);
   add_body_force<Shape, Space>(state, force);
-  for (auto& n : grid.nodes()) n.own_mass = n.mass;
-  report.at_open_face = at_open_face(grid, state.open, state.floor, top);
+  const Vec<Space::axes> gravity = gravity_now(state);
+  const bool heavy = !gravity.isZero(0);
+  if (heavy) add_gravity(grid, gravity, fields);
+  fields.each_node(grid, [](auto& n) { n.own_mass = n.mass; });
+  report.at_open_face = at_open_face(grid, state.open, state.floor, top) || fields.at_open_face(state, top);
   reflect_sides(grid, top);
   if (state.floor == Floor::mirror) reflect_floor(grid);
   if (state.ceiling) reflect_row(grid, *state.ceiling, Shape::reach);
-  update_grid(grid, dt);
-  if (state.floor == Floor::impact_wall) apply_impact_wall(grid, dt);
-  report.wall_impulse = wall_impulse(grid, dt);
+  fields.template reflect<Shape, Transfer, Space>(state);
+  update_grid(grid, dt, fields);
+  fields.push(state, dt, report);
+  if (state.floor == Floor::impact_wall) {
+    apply_impact_wall(grid, dt);
+    fields.push_off_wall(dt);
+  }
+  report.wall_impulse = wall_impulse(grid, dt, fields) - report.rigid_impulse;
+  if (heavy) {
+    report_gravity(grid, gravity, dt, report, fields);
+    report.wall_impulse -= report.gravity_impulse;
+  }
+  fields.settle(state, dt, report);
   report.transfer_heat = g2p<Shape, Transfer, Space>(state.particles, grid, dt, state.velocity_gradient,
-                                                     transfer, &state.hoop_rate);
+                                                     transfer, &state.hoop_rate, fields);
   update_stress(state, materials, dt, report);
 
   state.time += dt;

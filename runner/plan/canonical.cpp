@@ -26,6 +26,8 @@ void append_gauge(std::string& text, const mpm::Gauge& gauge) {
   text.append(mpm::to_string(gauge.target));
   if (gauge.target == mpm::GaugeTarget::body) text.append(" ").append(gauge.body);
   if (gauge.target == mpm::GaugeTarget::wall) text.append(" ").append(gauge.wall);
+  if (gauge.target == mpm::GaugeTarget::contact)
+    text.append(" ").append(gauge.first).append(" ").append(gauge.second);
   if (gauge.target == mpm::GaugeTarget::beam) text.append(" ").append(gauge.direction);
   const auto add_number = [&](double value) { text.append(" "), append_number(text, value); };
   for (const double x : gauge.place) add_number(x);

@@ -59,6 +59,7 @@ json body_json(const mpm::ComposedBody& b) {
   if (const mpm::RadialVelocity& v = b.radial; v.speed != 0)
     j["radial"] = {{"speed", v.speed}, {"at", v.at}, {"exponent", v.exponent}, {"about", v.about}};
   if (b.energy != 0) j["energy"] = b.energy;
+  if (b.rigid) j["rigid"] = true;
   return j;
 }
 mpm::ComposedBody body_from(const json& j) {
@@ -69,6 +70,7 @@ mpm::ComposedBody body_from(const json& j) {
     b.radial = {radial->at("speed").get<double>(), radial->at("at").get<double>(),
                 radial->at("exponent").get<double>(), radial->at("about").get<mpm::Triple>()};
   b.energy = j.value("energy", 0.0);
+  b.rigid = j.value("rigid", false);
   return b;
 }
 
@@ -103,12 +105,29 @@ mpm::Material material_from(mpm::Scene scene, const json& j) {
   return scene.material;
 }
 
+json contact_json(const mpm::ContactRule& rule) {
+  json j{{"law", word_of(rule.law, mpm::contact_laws)}};
+  if (!rule.first.empty()) j["between"] = {rule.first, rule.second};
+  if (rule.law == mpm::ContactLaw::coulomb) j["friction"] = number(rule.friction);
+  return j;
+}
+mpm::ContactRule contact_from(const json& j) {
+  mpm::ContactRule rule;
+  rule.law = from_word<mpm::ContactLaw>(j.at("law"), mpm::contact_laws);
+  if (j.contains("between")) rule.first = j.at("between").at(0), rule.second = j.at("between").at(1);
+  if (j.contains("friction")) rule.friction = number_of(j.at("friction"));
+  return rule;
+}
+
 std::string text_of(const mpm::Scene& scene, bool for_key) {
   if (!mpm::kind_of(scene).is_composed) return {};
   const mpm::Composition& all = scene.composition;
   json j{{"low", all.low}, {"high", all.high}};
   for (const mpm::Face face : all.faces) j["faces"].push_back(word_of(face, mpm::face_words));
+  if (all.has_gravity()) j["gravity"] = all.gravity;
+  if (all.has_gravity() && all.gravity_rise != 0) j["gravity_rise"] = all.gravity_rise;
   for (const mpm::ComposedBody& b : all.bodies) j["bodies"].push_back(body_json(b));
+  for (const mpm::ContactRule& rule : all.contacts) j["contacts"].push_back(contact_json(rule));
   for (std::size_t m = 0; m < mpm::material_count(scene); ++m)
     j["materials"].push_back(material_json(scene, m, for_key));
   return j.dump();
@@ -122,6 +141,9 @@ std::string own_parts(const mpm::Scene& here, const mpm::Scene& there) {
   const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
   if (mine.at("low") != others.at("low") || mine.at("high") != others.at("high")) add("box");
   if (mine.at("faces") != others.at("faces")) add("faces");
+  for (const char* part : {"gravity", "gravity_rise"})
+    if (mine.value(part, json()) != others.value(part, json())) add(part);
+  if (mine.value("contacts", json()) != others.value("contacts", json())) add("contact");
   const auto add_of = [&](const char* list, const std::string& before) {
     const json theirs = others.value(list, json::array());
     for (const json& one : mine.value(list, json::array()))
@@ -143,7 +165,10 @@ void set_composition(mpm::Scene& scene, const std::string& text) {
     all.high = j.at("high").get<mpm::Triple>();
     for (std::size_t side = 0; side < all.faces.size(); ++side)
       all.faces[side] = from_word<mpm::Face>(j.at("faces").at(side), mpm::face_words);
+    all.gravity = j.value("gravity", mpm::Triple{});
+    all.gravity_rise = j.value("gravity_rise", 0.0);
     for (const json& b : j.at("bodies")) all.bodies.push_back(body_from(b));
+    for (const json& rule : j.value("contacts", json::array())) all.contacts.push_back(contact_from(rule));
     scene.other_materials.clear();
     const json& materials = j.at("materials");
     for (std::size_t m = 1; m < materials.size(); ++m)

@@ -11,8 +11,8 @@ namespace {
 using mpm::GaugeTarget;
 using mpm::Window;
 
-constexpr std::array targets = {GaugeTarget::point, GaugeTarget::place, GaugeTarget::beam, GaugeTarget::body,
-                                GaugeTarget::wall};
+constexpr std::array targets = {GaugeTarget::point, GaugeTarget::place, GaugeTarget::beam,
+                                GaugeTarget::body,  GaugeTarget::wall,  GaugeTarget::contact};
 
 }  // namespace
 
@@ -25,6 +25,8 @@ std::string gauges_text(const std::vector<mpm::Gauge>& gauges) {
       target = gauge.body;
     else if (gauge.target == GaugeTarget::wall)
       target = gauge.wall;
+    else if (gauge.target == GaugeTarget::contact)
+      target = {gauge.first, gauge.second};
     else
       target = gauge.place;
     if (gauge.target == GaugeTarget::beam) one["direction"] = gauge.direction;
@@ -55,6 +57,8 @@ std::vector<mpm::Gauge> gauges_from_text(const std::string& text) try {
       gauge.body = what;
     else if (gauge.target == GaugeTarget::wall)
       gauge.wall = what;
+    else if (gauge.target == GaugeTarget::contact)
+      gauge.first = what.at(0), gauge.second = what.at(1);
     else
       gauge.place = what.get<std::vector<double>>();
     gauge.direction = one.value("direction", gauge.direction);

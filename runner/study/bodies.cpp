@@ -5,28 +5,23 @@
 
 #include "libmpm/scene/effect.hpp"
 #include "libmpm/scene/parameters.hpp"
-#include "runner/study/schema.hpp"
+#include "runner/study/check_words.hpp"
+#include "runner/study/contact_rules.hpp"
 #include "runner/study/shapes.hpp"
 
 namespace mpmstudy {
 namespace {
 
 constexpr std::string_view energy_key = "specific_internal_energy", pressure_key = "pressure";
-constexpr std::array<std::string_view, 9> body_keys = {
-    "name",  "material",        "shape",    "velocity",  "angular_velocity",
-    "about", "radial_velocity", energy_key, pressure_key};
+constexpr std::array<std::string_view, 10> body_keys = {
+    "name",  "material",        "shape",    "velocity",   "angular_velocity",
+    "about", "radial_velocity", energy_key, pressure_key, "rigid"};
+constexpr std::string_view gravity_key = "gravity", rise_key = "gravity_rise";
 
-/// Adds a mistake for each key that is none of those; whether there is none.
-template <class Keys>
-bool check_words(const Table& table, std::string_view what, const Keys& keys, Mistakes& mistakes) {
-  bool good = true;
-  for (const Entry& entry : table.entries)
-    if (std::ranges::find(keys, entry.key) == std::end(keys)) {
-      mistakes.add(entry.place, std::string(what) + "." + entry.key, entry.value.written(),
-                   unknown_word(entry.key, "key of " + std::string(what), keys));
-      good = false;
-    }
-  return good;
+bool is_rigid(const Table& body) {
+  const Entry* rigid = body.find("rigid");
+  const bool* said = rigid ? std::get_if<bool>(&rigid->value.data) : nullptr;
+  return said && *said;
 }
 
 /// Of [materials.NAME], beside base.
@@ -112,6 +107,15 @@ std::optional<mpm::ComposedBody> read_body(const Value& one, const BodyContext& 
   }
   if (const Entry* velocity = table->find("velocity"))
     body.velocity = context.vector("body.velocity", velocity->value, "m/s").value_or(mpm::Triple{});
+  if (const Entry* rigid = table->find("rigid")) {
+    if (!std::get_if<bool>(&rigid->value.data))
+      mistakes.add("body.rigid", rigid->value, {"not true or false", "allowed: true, false"});
+    body.rigid = is_rigid(*table);
+    for (const std::string_view key :
+         {std::string_view("material"), std::string_view("radial_velocity"), energy_key, pressure_key})
+      if (const Entry* entry = body.rigid ? table->find(key) : nullptr)
+        mistakes.add("body." + std::string(key), entry->value, {"a rigid body has none", "remove it"});
+  }
   const Entry *spin = table->find("angular_velocity"), *about = table->find("about");
   if (!spin != !about)
     mistakes.add(
@@ -131,10 +135,18 @@ std::optional<mpm::ComposedBody> read_body(const Value& one, const BodyContext& 
 BodiesReader::BodiesReader(const Table& document, const Units& units, KnownParameters known)
     : document_(document), quantities_(units, std::move(known)) {
   const auto keep = [&](const std::string& name, const Place& place) { places_.try_emplace(name, place); };
-  for (const auto name : {box_table, faces_table, body_table})
+  for (const auto name : {box_table, faces_table, body_table, contact_table})
     if (const Entry* entry = document.find(name)) keep(std::string(name), entry->place);
+  if (const Entry* contacts = document.find(contact_table))
+    if (const List* list = contacts->value.list())
+      for (std::size_t k = 0; k < list->size(); ++k)
+        for (const char* key : {", between", ", friction"})
+          keep("contact " + std::to_string(k + 1) + key, (*list)[k].place);
   for (const Entry& entry : entries_of(document.find_table(faces_table)))
     keep("faces." + entry.key, entry.value.place);
+  if (const Table* box = document.find_table(box_table))
+    for (const std::string_view key : {gravity_key, rise_key})
+      if (const Entry* entry = box->find(key)) keep("box." + std::string(key), entry->value.place);
   for (const Value& body : bodies()) {
     const Table* table = body.table();
     const std::string* name = table ? text_at(*table, "name") : nullptr;
@@ -158,8 +170,9 @@ const List& BodiesReader::bodies() const {
 }
 
 bool BodiesReader::uses_study_material() const {
-  return std::ranges::any_of(
-      bodies(), [](const Value& body) { return body.table() && !body.table()->find("material"); });
+  return std::ranges::any_of(bodies(), [](const Value& body) {
+    return body.table() && !body.table()->find("material") && !is_rigid(*body.table());
+  });
 }
 
 std::vector<std::string_view> BodiesReader::known_materials() const {
@@ -253,13 +266,22 @@ std::optional<mpm::Material> BodiesReader::read_material(const mpm::Scene& scene
 void BodiesReader::read_box(mpm::Scene& scene, const ValueOf& value, Mistakes& mistakes) {
   const Entry* entry = document_.find(box_table);
   const Table* box = entry ? entry->value.table() : nullptr;
-  constexpr std::array<std::string_view, 2> keys = {"low", "high"};
+  constexpr std::array<std::string_view, 4> keys = {"low", "high", gravity_key, rise_key};
   const Refusal missing{"missing",
                         "[box] with low = [...] and high = [...]: the corners of what is modelled"};
   if (!box) return mistakes.add(entry ? entry->place : document_.entries.front().place, box_table, missing);
   if (!check_words(*box, box_table, keys, mistakes)) return;
   const BodyContext context{scene.space, value, quantities_, mistakes};
-  for (const auto key : keys) {
+  if (const Entry* gravity = box->find(gravity_key))
+    scene.composition.gravity = context.vector("box.gravity", gravity->value, "m/s2").value_or(mpm::Triple{});
+  if (const Entry* rise = box->find(rise_key)) {
+    scene.composition.gravity_rise =
+        context.number("box.gravity_rise", rise->value, {"s", mpm::Range::non_negative}).value_or(0);
+    if (!box->find(gravity_key))
+      mistakes.add("box.gravity_rise", rise->value,
+                   {"there is no gravity that rises", "add gravity = [...]"});
+  }
+  for (const std::string_view key : {"low", "high"}) {
     const Entry* corner = box->find(key);
     if (!corner) {
       mistakes.add(entry->place, "box." + std::string(key), missing);
@@ -320,6 +342,9 @@ void BodiesReader::apply(mpm::Scene& scene, const ValueOf& value, Mistakes& mist
       mistakes.add(one.place, "materials." + one.key,
                    {"no body is of it", "remove it, or name it as the material of a [[body]]"});
   std::ranges::stable_sort(scene.composition.bodies, {}, &mpm::ComposedBody::material);
+  std::vector<std::string> body_names;
+  for (const mpm::ComposedBody& body : scene.composition.bodies) body_names.push_back(body.name);
+  scene.composition.contacts = read_contacts(document_, body_names, quantities_, value, mistakes);
   if (materials.empty()) return;
   scene.material = materials.front();
   scene.other_materials.assign(materials.begin() + 1, materials.end());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "runner/study/contact_rules.hpp"
 #include "runner/study/each_table.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/read_word.hpp"
@@ -15,11 +16,11 @@ namespace {
 
 using mpm::GaugeTarget;
 
-constexpr std::array targets = {GaugeTarget::point, GaugeTarget::place, GaugeTarget::beam, GaugeTarget::body,
-                                GaugeTarget::wall};
+constexpr std::array targets = {GaugeTarget::point, GaugeTarget::place, GaugeTarget::beam,
+                                GaugeTarget::body,  GaugeTarget::wall,  GaugeTarget::contact};
 constexpr const char* one_target =
     "give one of point, place, beam (each a place such as [\"1 um\", \"2 um\"]), body = \"all\", wall = "
-    "\"bottom\"";
+    "\"bottom\", contact = [\"ball\", \"plate\"]";
 constexpr const char* allowed_name = "allowed: up to 60 letters, digits, '-' and '_'";
 constexpr const char* allowed_reduction =
     "allowed: \"at 2 ns\", \"mean 1 ns to 3 ns\", \"max 1 ns to 3 ns\", \"min 1 ns to 3 ns\"";
@@ -93,7 +94,10 @@ class GaugeReader {
                        .value_or("all");
     else if (*target == GaugeTarget::wall)
       gauge.wall = required_string(table_, entry_.place, key, "\"bottom\"", mistakes_).value_or("bottom");
-    else
+    else if (*target == GaugeTarget::contact) {
+      const std::vector<std::string> pair = read_pair(key, value(key), mistakes_);
+      if (!pair.empty()) gauge.first = pair[0], gauge.second = pair[1];
+    } else
       read_place(value(key), key);
     return true;
   }

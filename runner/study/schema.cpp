@@ -2,6 +2,7 @@
 
 #include "libmpm/scene/kinds/kind.hpp"
 #include "runner/study/bodies.hpp"
+#include "runner/study/contact_rules.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +27,7 @@ const std::vector<Keys>& other_keys() {
       {"search", {"critical", "outcome", "between", "tolerance"}},
       {"expect", {"outcome", "energy_error", "reason", "why"}},
       {"fit", {"x", "y", "model"}},
-      {"gauge", {"name", "of", "point", "place", "beam", "direction", "body", "wall", "reduce"}},
+      {"gauge", {"name", "of", "point", "place", "beam", "direction", "body", "wall", "contact", "reduce"}},
       {"stop", {"when", "after"}},
       {"figure", {"name", "title", "kind", "x", "y"}},
   };
@@ -34,7 +35,8 @@ const std::vector<Keys>& other_keys() {
 }
 
 /// Of kinds whose scenes are composed in the file; runner/study/bodies.hpp reads them.
-constexpr std::array composition_tables = {box_table, faces_table, body_table, materials_table};
+constexpr std::array composition_tables = {box_table, faces_table, body_table, materials_table,
+                                           contact_table};
 
 /// "in [parameters]".
 std::string where(std::string_view table) {

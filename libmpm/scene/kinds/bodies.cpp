@@ -5,7 +5,9 @@
 #include <set>
 #include <string>
 
+#include "libmpm/contact/contacts.hpp"
 #include "libmpm/core/errors.hpp"
+#include "libmpm/measure/works.hpp"
 #include "libmpm/scene/kinds/bodies_start.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
 #include "libmpm/scene/region_of.hpp"
@@ -85,6 +87,8 @@ BasicState<axes> without_bodies(const Scene& s) {
   state.open = {is_open(s, Side::left), is_open(s, Side::right), is_open(s, Side::front),
                 is_open(s, Side::back)};
   if (s.composition.face(Side::top) == Face::mirror) state.ceiling = l.rows;
+  state.gravity = vector(s.composition.gravity).head<axes>();
+  state.gravity_rise = s.composition.gravity_rise;
   return state;
 }
 
@@ -92,7 +96,10 @@ template <int axes>
 void add_body(BasicState<axes>& state, const Scene& s, const ComposedBody& b) {
   auto& ps = state.particles;
   const std::size_t first = ps.size();
-  fill(state, {region_in<axes>(s.composition, b), velocity_at_start<axes>(b)}, s, b.material);
+  if (b.rigid)
+    state.has_rigid_bodies = true;
+  else
+    fill(state, {region_in<axes>(s.composition, b), velocity_at_start<axes>(b)}, s, b.material);
   const double pressure = pressure_per_energy(material_of(s, b.material)) * b.energy;
   for (std::size_t p = first; p < ps.size(); ++p) ps.energy[p] = b.energy, ps.pressure[p] = pressure;
   ps.body_ends.push_back(ps.size());
@@ -131,6 +138,17 @@ std::string refusal_of_form(const Shape& shape, Space space) {
   return {};
 }
 
+void check_gravity(const Scene& s, Report& report) {
+  const Triple& g = s.composition.gravity;
+  const auto add = [&](const char* allowed) {
+    report.add_other("box.gravity", vector_text(g, axes_of(s.space), "m/s2"), allowed);
+  };
+  if (!vector(g).allFinite()) return add("made of finite numbers");
+  if (!(s.composition.gravity_rise >= 0 && std::isfinite(s.composition.gravity_rise)))
+    report.add_other("box.gravity_rise", text_of(s.composition.gravity_rise) + " s", "0 or more");
+  if (s.space == Space::axisymmetric && g[0] != 0) add("along y, the axis, when space is \"axisymmetric\"");
+}
+
 void check_box(const Scene& s, Report& report) {
   const Composition& all = s.composition;
   const int axes = axes_of(s.space);
@@ -150,6 +168,7 @@ void check_box(const Scene& s, Report& report) {
   if (all.face(Side::top) == Face::mirror && s.numerics.kernel != Kernel::reference)
     report.add_other("faces.top", "mirror",
                      "\"open\", or kernel = \"reference\": the fast step has no mirror there");
+  check_gravity(s, report);
   if (!report.empty()) return;
   constexpr double most_cells = 1e9;
   const double h = s.numerics.cell_size;
@@ -171,10 +190,10 @@ void check_bodies(const Scene& s, Report& report) {
   for (const ComposedBody& b : all.bodies) {
     const std::string what = "body " + b.name;
     if (!names.insert(b.name).second) report.add_other(what, "named twice", "bodies with names of their own");
-    if (b.material < material || b.material >= material_count(s))
+    if ((b.material < material && !b.rigid) || b.material >= material_count(s))
       report.add_other(what, "material " + std::to_string(b.material),
                        "of the materials of the scene, bodies in their order");
-    material = b.material;
+    material = b.rigid ? material : b.material;
     moves = moves || vector(b.velocity).norm() > 0 || b.spin != 0 || b.radial.speed != 0 || b.energy != 0;
     if (const std::string instead = refusal_of_form(b.shape, s.space); !instead.empty())
       report.add_other(what + ", shape", "cylinder", instead);
@@ -184,9 +203,12 @@ void check_bodies(const Scene& s, Report& report) {
       report.add_other(what + ", velocity", vector_text(b.velocity, 2, "m/s"),
                        "along y, without a spin, when space is \"axisymmetric\"");
   }
-  if (!all.bodies.empty() && !moves)
-    report.add_other("body", "nothing moves",
-                     "scenes in which a body has a velocity, a spin, or an energy or pressure at the start");
+  check_contacts(s, report);
+  if (!all.bodies.empty() && !moves && !all.has_gravity())
+    report.add_other(
+        "body", "nothing moves",
+        "scenes in which a body has a velocity, a spin, or an energy or pressure at the start, or that "
+        "have gravity");
 }
 
 /// What only bodies that are filled show: that they overlap, or are not there.
@@ -252,7 +274,7 @@ double coarsest_cell(const Scene& s) {
   const int axes = axes_of(s.space);
   double least = edges(s.composition).head(axes).minCoeff() / 8;
   for (const ComposedBody& b : s.composition.bodies)
-    least = std::min(least, smallest_length(b.shape, axes) / 6);
+    if (!b.rigid) least = std::min(least, smallest_length(b.shape, axes) / 6);
   return least;
 }
 
@@ -263,15 +285,18 @@ bool is_half(const Scene& s) {
 std::vector<Part> parts(const Scene& s) {
   std::vector<Part> all;
   for (const ComposedBody& b : s.composition.bodies)
-    if (const double size = smallest_length(b.shape, axes_of(s.space)); std::isfinite(size))
+    if (const double size = smallest_length(b.shape, axes_of(s.space)); std::isfinite(size) && !b.rigid)
       all.push_back({"the smallest part or hole of a body", "cell_size", size});
   return all;
 }
 
 template <int axes>
-BasicMeasurements<axes> measurements(const Scene&, const BasicState<axes>&) {
-  return {};
+BasicMeasurements<axes> measurements(const Scene& s, const BasicState<axes>& state) {
+  BasicMeasurements<axes> all;
+  if (BasicWorks<axes>::measures(s)) all.push_back(std::make_unique<BasicWorks<axes>>(s, state));
+  return all;
 }
+constexpr Results measured[] = {Works::results};
 
 void set_default_numerics(Numerics& n) {
   n.scheme = ShapeFunction::bspline2;
@@ -289,6 +314,7 @@ extern constinit const Kind bodies{
     .kind = SceneKind::bodies,
     .name = "bodies",
     .quantities = {},
+    .results = measured,
     .headline = "hot_spot_temperature_K",
     .is_composed = true,
     .set_default_numerics = set_default_numerics,
