@@ -334,7 +334,7 @@ void BodiesReader::apply(mpm::Scene& scene, const ValueOf& value, Mistakes& mist
         materials.push_back(read_material(scene, known[*word], value, mistakes).value_or(mpm::Material{}));
       }
     }
-    body->energy = read_energy(*one.table(), materials[body->material], context);
+    if (!body->rigid) body->energy = read_energy(*one.table(), materials[body->material], context);
     scene.composition.bodies.push_back(std::move(*body));
   }
   for (const Entry& one : of_file)

@@ -10,11 +10,11 @@
 #include "libmpm/shape/bspline2.hpp"
 #include "libmpm/shape/bspline3.hpp"
 #include "libmpm/shape/cpdi.hpp"
-#include "tests/libmpm/contact_scenes.hpp"
+#include "libmpm/verification/problems/contact_scenes.hpp"
 
 namespace {
 
-using namespace contact_scenes;
+using namespace mpm::verification::contact_scenes;
 using testing::HasSubstr;
 
 mpm::RunResult balanced_run(const mpm::Scene& s) {

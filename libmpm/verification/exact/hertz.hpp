@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace mpm::exact {
+namespace mpm::verification::exact {
 
 /// Two equal elastic spheres that meet head on at the relative speed v: with 1/E* = 2 (1 - nu^2) / E,
 /// R* = R / 2, m* = m / 2,
@@ -23,4 +23,4 @@ struct Hertz {
   }
 };
 
-}  // namespace mpm::exact
+}  // namespace mpm::verification::exact

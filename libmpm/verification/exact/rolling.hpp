@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-namespace mpm::exact {
+namespace mpm::verification::exact {
 
 /// A rigid body of revolution on an inclined plane, at rest at first, with I = k m R^2 (cylinder 1/2, sphere
 /// 2/5) and Coulomb friction mu. It sticks while tan(angle) <= mu (1 + k) / k, and then
@@ -21,4 +21,4 @@ struct Rolling {
   }
 };
 
-}  // namespace mpm::exact
+}  // namespace mpm::verification::exact

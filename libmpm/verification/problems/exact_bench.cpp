@@ -52,6 +52,16 @@ ExactNumbers sedov(const ExactOptions& o) {
   return sedov_numbers(Space, o);
 }
 
+template <int Degrees, int PercentOfFriction, bool Turned>
+ExactNumbers rolling(const ExactOptions& o) {
+  return rolling_numbers(Degrees, PercentOfFriction / 100.0, Turned, o);
+}
+
+template <int Speed>
+ExactNumbers spheres(const ExactOptions& o) {
+  return spheres_numbers(Speed, o);
+}
+
 const ExactProblem ladder[] = {
     {"hugoniot", "material point behind a steady shock, 20 to 3000 m/s: jump conditions", hugoniot_numbers},
     {"uniaxial-path", "material point loaded, unloaded and loaded again in uniaxial strain",
@@ -108,6 +118,19 @@ const ExactProblem ladder[] = {
     {"half-and-full", "half of a symmetric scene against all of it", half_and_full_numbers},
     {"wall-and-two-bodies", "block on a wall against two blocks that meet", wall_and_two_bodies_numbers},
     {"moving-frame", "two blocks that meet, seen from one of them", moving_frame_numbers},
+    {"rolling-stick", "cylinder on an incline of 30 degrees, mu = 0.3: it rolls", rolling<30, 30, false>},
+    {"rolling-stick-turned", "the same, the plane across the grid", rolling<30, 30, true>},
+    {"rolling-slip", "cylinder on an incline of 45 degrees, mu = 0.2: it slides and turns",
+     rolling<45, 20, false>},
+    {"rolling-slip-turned", "the same, the plane across the grid", rolling<45, 20, true>},
+    {"rolling-frictionless", "cylinder on an incline of 30 degrees across the grid, without friction",
+     rolling<30, 0, true>},
+    {"spheres-5", "two elastic spheres that meet at 5 m/s: Hertz", spheres<5>},
+    {"spheres-20", "two elastic spheres that meet at 20 m/s: Hertz, at the edge of its validity",
+     spheres<20>},
+    {"taylor-plane", "copper Taylor bar on a rigid plane, by contact", taylor_numbers},
+    {"four-spheres-square", "four elastic spheres that meet at the centre of a square", four_spheres_numbers},
+    {"contact-shock", "copper on aluminium through contact: match of impedances", contact_shock_numbers},
 };
 
 std::vector<const ExactProblem*> wanted(const std::vector<std::string>& names) {

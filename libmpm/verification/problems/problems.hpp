@@ -51,6 +51,14 @@ ExactNumbers moving_frame_numbers(const ExactOptions&);
 ExactNumbers planar_spaces_numbers(const ExactOptions&);
 ExactNumbers spherical_cavity_numbers(const ExactOptions&);
 
+// contact_numbers.cpp: bodies that touch.
+/// `turned`: the plane lies across the grid, and not gravity across the plane.
+ExactNumbers rolling_numbers(double degrees, double friction, bool turned, const ExactOptions&);
+ExactNumbers spheres_numbers(double speed, const ExactOptions&);
+ExactNumbers taylor_numbers(const ExactOptions&);
+ExactNumbers four_spheres_numbers(const ExactOptions&);
+ExactNumbers contact_shock_numbers(const ExactOptions&);
+
 /// free_flight.cpp: what turns freely in three dimensions keeps its angular momentum.
 ExactNumbers free_flight_numbers(const ExactOptions&);
 

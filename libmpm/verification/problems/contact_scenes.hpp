@@ -5,8 +5,8 @@
 #include "libmpm/scene/build.hpp"
 #include "libmpm/simulation.hpp"
 
-/// Small scenes of bodies in contact.
-namespace contact_scenes {
+/// Small scenes of bodies in contact, for problems and tests.
+namespace mpm::verification::contact_scenes {
 
 inline mpm::Material elastic(double youngs_modulus = 1e9, double poissons_ratio = 0.3,
                              double density = 1000) {
@@ -84,4 +84,4 @@ inline mpm::Scene two_blocks(mpm::Space space) {
   return s;
 }
 
-}  // namespace contact_scenes
+}  // namespace mpm::verification::contact_scenes
