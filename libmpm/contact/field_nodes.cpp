@@ -16,13 +16,6 @@ walls::WallNode<double, axes> wall_view(double& size, Vec<axes>& v, Vec<axes>& a
   return view;
 }
 
-template <int axes>
-Vec3 in_space(const Vec<axes>& x) {
-  Vec3 full = Vec3::Zero();
-  full.template head<axes>() = x;
-  return full;
-}
-
 /// An axis-parallel box.
 template <int axes>
 struct Box {

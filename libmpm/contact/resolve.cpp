@@ -21,13 +21,6 @@ constexpr int most_sweeps = 30;
 constexpr double small_change = 1e-10;
 
 template <int axes>
-Vec3 in_space(const Vec<axes>& x) {
-  Vec3 full = Vec3::Zero();
-  full.template head<axes>() = x;
-  return full;
-}
-
-template <int axes>
 Vec<axes> tangential(const ContactRule& rule, const Vec<axes>& holding, double normal) {
   if (rule.law == ContactLaw::coulomb) return Coulomb{rule.friction}.tangential<axes>(holding, normal);
   return Frictionless{}.tangential<axes>(holding, normal);

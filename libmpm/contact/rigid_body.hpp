@@ -4,6 +4,14 @@
 
 namespace mpm {
 
+/// A place of so many axes, with 0 along those that are missing.
+template <int axes>
+Vec3 in_space(const Vec<axes>& x) {
+  Vec3 full = Vec3::Zero();
+  full.template head<axes>() = x;
+  return full;
+}
+
 /// A body that nothing deforms or stops: a half space, a block or a ball (of two axes a disc), which moves
 /// with its velocity and turns with its spin. It has no particles: where its surface is, and which way that
 /// looks, is known exactly.

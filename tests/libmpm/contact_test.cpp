@@ -11,6 +11,7 @@
 #include "libmpm/shape/bspline3.hpp"
 #include "libmpm/shape/cpdi.hpp"
 #include "libmpm/verification/problems/contact_scenes.hpp"
+#include "tests/libmpm/resumed.hpp"
 
 namespace {
 
@@ -241,26 +242,8 @@ TEST(Contact, ARigidPistonDoesWork) {
 }
 
 TEST(Contact, GoesOnFromACheckpointWithTheSameBits) {
-  struct Keeper : mpm::Observer {
-    bool on_step(const mpm::Progress& p) override { return p.step != 120; }
-    bool wants_checkpoint() override { return true; }
-    void on_checkpoint(const mpm::Record& r) override { record = r; }
-    mpm::Record record;
-  } keeper;
-  struct Resumer : mpm::Observer {
-    explicit Resumer(mpm::Record& r) : record(r) {}
-    mpm::Record* resume_from() override { return &record; }
-    int threads() override { return 2; }
-    mpm::Record& record;
-  } resumer(keeper.record);
   const mpm::Scene s = two_blocks(mpm::Space::plane_strain);
-  const mpm::RunResult whole = mpm::run(s);
-  mpm::run(s, keeper);
-  const mpm::RunResult resumed = mpm::run(s, resumer);
-  ASSERT_EQ(whole.metrics.size(), resumed.metrics.size());
-  for (std::size_t k = 0; k < whole.metrics.size(); ++k)
-    EXPECT_EQ(whole.metrics[k].value, resumed.metrics[k].value) << whole.metrics[k].name;
-  EXPECT_EQ(whole.history("force")->values, resumed.history("force")->values);
+  expect_same_from_a_checkpoint(s, 120);
 }
 
 // A heap of many bodies: each pair that touches is held, and nothing is lost.

@@ -5,6 +5,7 @@
 
 #include "libmpm/scene/build.hpp"
 #include "libmpm/simulation.hpp"
+#include "tests/libmpm/resumed.hpp"
 #include "tests/libmpm/scenes.hpp"
 
 namespace {
@@ -98,24 +99,8 @@ TEST(Gravity, WhatCannotBeIsRefused) {
 }
 
 TEST(Gravity, GoesOnFromACheckpointWithTheSameBits) {
-  struct Keeper : mpm::Observer {
-    bool on_step(const mpm::Progress& p) override { return p.step != 20; }
-    bool wants_checkpoint() override { return true; }
-    void on_checkpoint(const mpm::Record& r) override { record = r; }
-    mpm::Record record;
-  } keeper;
-  struct Resumer : mpm::Observer {
-    explicit Resumer(mpm::Record& r) : record(r) {}
-    mpm::Record* resume_from() override { return &record; }
-    mpm::Record& record;
-  } resumer(keeper.record);
   const mpm::Scene s = falling(mpm::Space::plane_strain, {0, -g, 0});
-  const mpm::RunResult whole = mpm::run(s);
-  mpm::run(s, keeper);
-  const mpm::RunResult resumed = mpm::run(s, resumer);
-  ASSERT_EQ(whole.metrics.size(), resumed.metrics.size());
-  for (std::size_t k = 0; k < whole.metrics.size(); ++k)
-    EXPECT_EQ(whole.metrics[k].value, resumed.metrics[k].value) << whole.metrics[k].name;
+  expect_same_from_a_checkpoint(s, 20);
 }
 
 }  // namespace
