@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "analysis/gnuplot.hpp"
+#include "analysis/palette.hpp"
 
 namespace analysis {
 namespace {
@@ -17,11 +18,6 @@ constexpr double left = 76, right = 118, top = 50, bottom = 76, gap_x = 18, gap_
 constexpr double figure_width = 900;
 constexpr double pixels_per_point = 2;
 
-/// Of matplotlib's viridis (CC0), every eighth of the way.
-constexpr std::string_view viridis =
-    "(0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', 7 "
-    "'#addc30', "
-    "8 '#fde725')";
 constexpr std::string_view grey = "(0 '#000000', 1 '#ffffff')";
 
 void check(const FieldPlot& plot) {

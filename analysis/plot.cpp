@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "analysis/gnuplot.hpp"
+#include "analysis/log_axis.hpp"
 
 namespace analysis {
 namespace {
@@ -38,7 +39,8 @@ double largest(const std::vector<Series>& all, std::vector<double> Series::*colu
 }
 
 bool is_drawn(const Plot& plot, const Series& s, std::size_t i) {
-  return std::isfinite(s.x[i]) && std::isfinite(s.y[i]) && (!plot.log_axes || (s.x[i] > 0 && s.y[i] > 0));
+  return std::isfinite(s.x[i]) && std::isfinite(s.y[i]) && (!plot.log_x || s.x[i] > 0) &&
+         (!plot.log_y || s.y[i] > 0);
 }
 
 void check(const Plot& plot) {
@@ -64,11 +66,12 @@ std::string rows_of(const Plot& plot, const Series& s, const DisplayUnit& x, con
 }
 
 /// x, y, low, high of the fit; low = high = y where its errors are unknown.
-std::string rows_of(const Fit& fit, const DisplayUnit& x, const DisplayUnit& y) {
+std::string rows_of(const Fit& fit, bool log_x, const DisplayUnit& x, const DisplayUnit& y) {
   std::string rows;
   const double margin = 0.03 * (fit.x_max - fit.x_min);
   for (int i = 0; i <= fit_samples; ++i) {
-    const double at = fit.x_min - margin + (fit.x_max - fit.x_min + 2 * margin) * i / fit_samples;
+    double at = fit.x_min - margin + (fit.x_max - fit.x_min + 2 * margin) * i / fit_samples;
+    if (log_x) at = fit.x_min * std::pow(fit.x_max / fit.x_min, static_cast<double>(i) / fit_samples);
     const double value = fit(at), half = fit.band(at).value_or(0);
     rows += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", at * x.factor, value * y.factor,
                         (value - half) * y.factor, (value + half) * y.factor);
@@ -125,7 +128,7 @@ SideLegend side_legend(const Plot& plot) {
   legend.every = static_cast<std::size_t>(std::max(1.0, std::ceil(entries / most)));
   legend.font =
       std::clamp(height / (line * (entries / static_cast<double>(legend.every) + 3)), smallest, 11.0);
-  std::size_t longest = plot.fit ? std::string_view("quadratic fit").size() : 0;
+  std::size_t longest = plot.fit ? name(plot.fit->model).size() + std::string_view(" fit").size() : 0;
   for (const Series& s : plot.series) longest = std::max(longest, characters(s.label));
   if (legend.every > 1) longest = std::max(longest, every_text(legend.every, plot.series.size()).size());
   // Lines and marks, and 0.65 of the font's size per character.
@@ -228,14 +231,35 @@ std::string range_of_points(const Plot& plot, const DisplayUnit& y) {
   return fmt::format("set yrange [{:.9g}:{:.9g}]\n", bottom * y.factor, (high + margin) * y.factor);
 }
 
+/// A logarithmic axis around what is drawn, in units of the axis.
+template <class Low, class High>
+std::string log_axis_of(const Plot& plot, const std::string& axis, double factor, Low low_of, High high_of) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Series& s : plot.series)
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      if (!is_drawn(plot, s, i)) continue;
+      if (const double value = low_of(s, i); value > 0) low = std::min(low, value);
+      high = std::max(high, high_of(s, i));
+    }
+  return log_axis(axis, low * factor, high * factor);
+}
+
 /// Room around the data so that no point lies on the frame.
-std::string ranges(const Plot& plot, const DisplayUnit& y) {
-  if (plot.log_axes) return "set logscale xy\n";
+std::string ranges(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y) {
+  const auto x_of = [](const Series& s, std::size_t i) { return s.x[i]; };
+  const auto y_of = [](const Series& s, std::size_t i) { return s.y[i]; };
+  const auto top_of = [](const Series& s, std::size_t i) {
+    return s.y[i] + (s.y_error.empty() || !std::isfinite(s.y_error[i]) ? 0 : s.y_error[i]);
+  };
   std::string text = plot.kind == Plot::Kind::history
                          ? "set offsets 0, 0, graph 0.05, graph 0.02\n"
                          : fmt::format("set offsets graph 0.04, graph 0.04, graph 0.06, {}\n",
                                        plot.y_from_zero ? "0" : "graph 0.06");  // no room below zero
-  if (plot.y_from_zero)
+  if (plot.log_x || plot.log_y) text = "";
+  if (plot.log_x) text += log_axis_of(plot, "x", x.factor, x_of, x_of);
+  if (plot.log_y)
+    text += log_axis_of(plot, "y", y.factor, y_of, top_of);
+  else if (plot.y_from_zero)
     text += "set yrange [0:*]\n";
   else if (plot.fit && plot.fit->ok() && has_band(*plot.fit))
     text += range_of_points(plot, y);
@@ -270,7 +294,7 @@ std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y)
   // Title of the axis, gaps, and 6.8 points per character of the widest number; powers of ten are wider yet.
   const double left = (47 + 6.8 * static_cast<double>(tick_characters(plot, y))) / figure_size.width;
   text += fmt::format("set lmargin at screen {:.4f}\nset bmargin at screen 0.135\n",
-                      plot.log_axes ? 0.13 : std::max(0.105, left));
+                      plot.log_y ? 0.13 : std::max(0.105, left));
   if (at_side) {
     const double right = 0.985 - legend.width;
     text += fmt::format("set tmargin at screen {}\nset rmargin at screen {}\n",
@@ -287,7 +311,7 @@ std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y)
     text += fmt::format(
         "set key at screen 0.535, screen {} center center horizontal Left reverse samplen 2\n", top + 0.04);
   }
-  text += ranges(plot, y);
+  text += ranges(plot, x, y);
   std::string clauses =
       history ? history_clauses(plot, legend) : xy_clauses(plot, legend, plot.series.size() > 1 && !plot.fit);
   if (legend.every > 1)
@@ -297,40 +321,7 @@ std::string script(const Plot& plot, const DisplayUnit& x, const DisplayUnit& y)
   return text + "plot " + clauses + "\n";
 }
 
-/// A number and its standard error, to two digits of the error.
-std::string with_error(double value, std::optional<double> error) {
-  if (!error || !(*error > 0)) return fmt::format("{:.4g}", value);
-  const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(*error))));
-  if (decimals > 6) return fmt::format("({:.4g} ± {:.2g})", value, *error);
-  return fmt::format("({:.{}f} ± {:.{}f})", value, decimals, *error, decimals);
-}
-
 }  // namespace
-
-std::string fit_caption(const Fit& fit, const QuantityLabel& x, const DisplayUnit& x_unit,
-                        const QuantityLabel& y, const DisplayUnit& y_unit) {
-  const auto symbol = [](const QuantityLabel& q) { return q.symbol.empty() ? q.name : q.symbol; };
-  constexpr std::array<const char*, 3> powers = {"", "", "²"};
-  std::string text = symbol(y) + " =";
-  for (std::size_t k = 0; k < fit.coefficients.size(); ++k) {
-    const double factor = y_unit.factor / std::pow(x_unit.factor, static_cast<double>(k));
-    const double value = fit.coefficients[k] * factor;
-    std::optional<double> error;
-    if (!fit.standard_errors.empty()) error = fit.standard_errors[k] * factor;
-    text += value < 0 ? " − " : k > 0 ? " + " : " ";
-    text += with_error(std::abs(value), error);
-    if (k > 0) text += fmt::format(" {}{}", symbol(x), powers[k]);
-  }
-  if (!x_unit.text.empty()) text += fmt::format(";  {} in {}", symbol(x), x_unit.text);
-  if (!y_unit.text.empty()) text += fmt::format(", {} in {}", symbol(y), y_unit.text);
-  if (fit.r2)
-    text += ";  r² = " + fit.r2_text();
-  else if (!fit.r2_text().empty())
-    text += ";  r² " + fit.r2_text();
-  if (const auto chi2 = fit.reduced_chi2())
-    text += fmt::format(";  χ²/ν = {:.2g}{}", *chi2, *chi2 > 1 ? ": lack of fit" : "");
-  return text;
-}
 
 void draw(const Plot& plot, const std::filesystem::path& stem) {
   check(plot);
@@ -339,7 +330,7 @@ void draw(const Plot& plot, const std::filesystem::path& stem) {
   const FigureFolder folder(stem);
   for (std::size_t i = 0; i < plot.series.size(); ++i)
     folder.write(fmt::format("series{}.dat", i), rows_of(plot, plot.series[i], x, y));
-  if (plot.fit && plot.fit->ok()) folder.write("fit.dat", rows_of(*plot.fit, x, y));
+  if (plot.fit && plot.fit->ok()) folder.write("fit.dat", rows_of(*plot.fit, plot.log_x, x, y));
   run_gnuplot(folder, script(plot, x, y), figure_size, stem);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/fit.hpp"
+#include "analysis/fit_caption.hpp"
 #include "analysis/units.hpp"
 
 namespace analysis {
@@ -29,14 +30,9 @@ struct Plot {
   /// Drawn with its 95 % band where ok(), its formula under the title; where not, its failure is said there.
   /// SI.
   std::optional<Fit> fit;
-  bool y_from_zero = false;  ///< the y axis starts at 0
-  bool log_axes = false;     ///< both axes by their logarithm; numbers that are not positive are left out
+  bool y_from_zero = false;           ///< the y axis starts at 0
+  bool log_x = false, log_y = false;  ///< axes by their logarithm; numbers that are not positive are left out
 };
-
-/// "Φ = (0.98 ± 0.02) − (0.11 ± 0.01) R;  R in µm;  r² = 0.998;  χ²/ν = 0.4" in the units of the axes. χ²/ν,
-/// per degree of freedom, only where the errors of the points are its weights; above 1 it says "lack of fit".
-std::string fit_caption(const Fit&, const QuantityLabel& x, const DisplayUnit&, const QuantityLabel& y,
-                        const DisplayUnit&);
 
 /// Writes stem.png (1800 x 1200) and stem.svg (900 x 600). Throws std::invalid_argument where there is
 /// nothing to draw or columns have unequal lengths, std::runtime_error where gnuplot or the disk fails.

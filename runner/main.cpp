@@ -23,6 +23,7 @@
 #include "runner/cli/report.hpp"
 #include "runner/cli/retry.hpp"
 #include "runner/cli/run.hpp"
+#include "runner/cli/show.hpp"
 #include "runner/cli/status.hpp"
 #include "runner/cli/usage.hpp"
 #include "runner/cli/verify.hpp"
@@ -42,6 +43,7 @@ void setup_verbs(CLI::App& app) {
     return mpm::run(scene, observer);
   };
   mpmstudy::setup_run(app, {simulate, mpm::write_vtkhdf, mpmstudy::finish_study});
+  mpmstudy::setup_show(app);
   mpmstudy::setup_status(app);
   mpmstudy::setup_watch(app);
   mpmstudy::setup_explain(app);

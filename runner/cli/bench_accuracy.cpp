@@ -58,7 +58,7 @@ void draw_figures(const std::vector<AccuracyRow>& rows, const std::filesystem::p
         std::find_if(first, rows.end(), [&](const AccuracyRow& r) { return r.problem != first->problem; });
     analysis::Plot plot;
     plot.kind = analysis::Plot::Kind::xy;
-    plot.log_axes = true;
+    plot.log_x = plot.log_y = true;
     plot.title = fmt::format("{}: error of {} against processor time", first->problem, first->what);
     if (first->reference_error > 0)
       plot.footer = fmt::format("reference {:.5g} +- {:.1g}: the finest runs, extrapolated", first->reference,

@@ -10,6 +10,7 @@
 #include "analysis/plot.hpp"
 #include "analysis/units.hpp"
 #include "libmpm/scene/parameters.hpp"
+#include "runner/catalog/found_values.hpp"
 #include "runner/catalog/job_rows.hpp"
 #include "runner/cli/print_failures.hpp"
 #include "runner/cli/text_table.hpp"
@@ -19,6 +20,7 @@
 #include "runner/status/label.hpp"
 #include "runner/study/gauges.hpp"
 #include "runner/study/parameter_value.hpp"
+#include "runner/study/readable.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -28,20 +30,6 @@ constexpr std::int64_t first_rows = 25, last_rows = 5;
 constexpr std::size_t most_results = 3;  ///< columns of results
 constexpr int error_digits = 3;
 constexpr const char* mark = "*";  ///< behind what a flag is about; the line below says why
-
-/// The headline of the scene, then what the study fits and draws.
-std::vector<std::string> results_of_interest(const Study& study) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name) {
-    if (!name.empty() && names.size() < most_results && std::ranges::find(names, name) == names.end())
-      names.push_back(name);
-  };
-  add(study.ladder.quantity);
-  for (const auto& fit : study.fits) add(fit.y);
-  for (const auto& figure : study.figures)
-    if (row_of(figure.kind).has_x) add(figure.y);
-  return names;
-}
 
 /// Numbers of one column in the unit that the study's file writes, else in one that keeps them short.
 void fill(TextColumn& column, const std::vector<std::optional<double>>& values, const Study& study,
@@ -166,9 +154,25 @@ double largest_of(const std::vector<double>& numbers) {
 
 }  // namespace
 
+std::vector<std::string> results_of_interest(const Study& study, std::size_t most) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && names.size() < most && std::ranges::find(names, name) == names.end())
+      names.push_back(name);
+  };
+  add(study.ladder.quantity);
+  for (const auto& fit : study.fits) add(fit.y);
+  for (const auto& figure : study.figures)
+    if (const FigureKindRow& row = row_of(figure.kind); row.has_x) {
+      add(row.has_colour ? figure.colour : figure.y);
+      if (row.y == FigureY::result && quantity_unit(study, figure.x).empty()) add(figure.x);
+    }
+  return names;
+}
+
 std::string results_text(const Study& study, const std::filesystem::path& results) {
   const StudyResults folder{study.name, results, {}, 0, {}};
-  const auto of_interest = results_of_interest(study);
+  const auto of_interest = results_of_interest(study, most_results);
   const auto count = count_jobs(results, study.name);
   JobRequest request{study.name, study.swept, of_interest};
   request.most = count > most_rows ? first_rows : most_rows;
@@ -200,6 +204,21 @@ std::string results_text(const Study& study, const std::filesystem::path& result
         "sizes "
         "are from it\n";
   return text + failures_text(study, results) + fits_text(study, results);
+}
+
+std::string brackets_text(const Study& study, const std::filesystem::path& results) {
+  const auto unit = mpm::find_quantity(study.search->critical)->unit;
+  std::string text;
+  for (const BracketRow& row : brackets_of(results, study.name, study.search->critical)) {
+    if (row.position >= std::ssize(study.scenes)) continue;  // of an earlier form of the study
+    const std::string point = label_of(study.scenes[static_cast<std::size_t>(row.position)], study.swept);
+    text +=
+        fmt::format("{}{}{} {}{}\n", point, point.empty() ? "" : "  ", study.search->critical,
+                    row.lower && row.upper ? readable(*row.lower, unit) + " to " + readable(*row.upper, unit)
+                                           : "not found",
+                    row.flags.empty() ? "" : "; " + row.flags);
+  }
+  return text;
 }
 
 std::string fits_text(const Study& study, const std::filesystem::path& results) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "runner/study/study.hpp"
 
@@ -13,6 +14,12 @@ namespace mpmstudy {
 /// their figures. No line is longer than line_columns, but for queries and
 /// captions. Throws CatalogError.
 std::string results_text(const Study&, const std::filesystem::path& results);
+
+/// The headline of the scene, then what the study's fits and figures show, each once; no more than `most`.
+std::vector<std::string> results_of_interest(const Study&, std::size_t most);
+
+/// The brackets that the catalog has of a study with [search], a line each.
+std::string brackets_text(const Study&, const std::filesystem::path& results);
 
 /// The fits of a study, a line each with the caption of its figure; also why there is none.
 std::string fits_text(const Study&, const std::filesystem::path& results);

@@ -20,10 +20,12 @@
 #include "runner/catalog/reader.hpp"
 #include "runner/cli/amounts.hpp"
 #include "runner/cli/job_labels.hpp"
+#include "runner/cli/json_results.hpp"
 #include "runner/cli/last_run.hpp"
 #include "runner/cli/print_failures.hpp"
 #include "runner/cli/print_results.hpp"
 #include "runner/cli/print_search.hpp"
+#include "runner/cli/quiet_stdout.hpp"
 #include "runner/cli/run_intent.hpp"
 #include "runner/cli/run_plan.hpp"
 #include "runner/cli/run_slurm.hpp"
@@ -180,6 +182,10 @@ void setup_run(CLI::App& app, RunSeams given) {
   auto* quiet = verb.add_flag("-q,--quiet", options->quiet, "Failures and the summary only");
   verb.add_flag("-v,--verbose", options->verbose, "Lines instead of a live display, and more of them")
       ->excludes(quiet);
+  verb.add_flag("--json", options->json,
+                "At the end one JSON object with the results of every job; all else goes to standard error")
+      ->excludes("--dry-run")
+      ->excludes("--only");
   verb.add_option(
           "--audit", options->audit,
           "Of the runs of a [search] that stopped when decided, run this share to the end and compare")
@@ -190,6 +196,8 @@ void setup_run(CLI::App& app, RunSeams given) {
   verb.callback([options, seams] { end_with(run_run(*options, *seams)); });
 }
 
+namespace {
+
 /// Options that would be of no effect. Throws StudyError.
 void refuse_idle_options(const RunOptions& options, const std::vector<Study>& studies) {
   const SlurmOptions &said = options.slurm, plain;
@@ -199,6 +207,9 @@ void refuse_idle_options(const RunOptions& options, const std::vector<Study>& st
         "--slurm, --shard-time, --shards and --rounds are for --engine slurm; without it the jobs would run "
         "on "
         "this machine");
+  if (options.engine == "slurm" && options.json)
+    throw StudyError(
+        "--json: does not go with --engine slurm, which ends before its jobs; `show --json` later");
   if (options.engine == "slurm" && !options.only.empty())
     throw StudyError("--only " + options.only +
                      ": does not go with --engine slurm, which deals out all jobs");
@@ -207,10 +218,7 @@ void refuse_idle_options(const RunOptions& options, const std::vector<Study>& st
     throw StudyError("--audit " + options.audit + ": none of these studies has a [search] to audit");
 }
 
-int run_run(const RunOptions& options, const RunSeams& seams) {
-  std::vector<Study> studies;
-  for (const auto& file : options.files) studies.push_back(read_study(file, options.study));
-  refuse_idle_options(options, studies);
+int run_all(const RunOptions& options, const std::vector<Study>& studies, const RunSeams& seams) {
   check_names(studies);
   const CostModel cost(measured_costs(options.results));
   const auto planned = plan_studies(options, studies, cost);
@@ -253,6 +261,22 @@ int run_run(const RunOptions& options, const RunSeams& seams) {
   fmt::print("catalog: {}\n", catalog_path(options.results).string());
   const int code = report.exit_code();
   return code == exit_ok && !good ? exit_failed : code;
+}
+
+}  // namespace
+
+int run_run(const RunOptions& options, const RunSeams& seams) {
+  std::vector<Study> studies;
+  for (const auto& file : options.files) studies.push_back(read_study(file, options.study));
+  refuse_idle_options(options, studies);
+  if (!options.json) return run_all(options, studies, seams);
+  int code = exit_ok;
+  {
+    const QuietStdout until_the_end;
+    code = run_all(options, studies, seams);
+  }
+  fmt::print("{}\n", results_json(studies, options.results, code));
+  return code;
 }
 
 }  // namespace mpmstudy

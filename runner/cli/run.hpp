@@ -40,6 +40,7 @@ struct RunOptions {
   std::string budget;               ///< wall time after which no job is started, "2 h"; "": none
   bool quiet = false;
   bool verbose = false;
+  bool json = false;          ///< standard output is one JSON object: what the studies have come to
   std::string audit = "0 %";  ///< share of the early stops of a search that is run to the end
 };
 

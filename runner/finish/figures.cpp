@@ -9,6 +9,7 @@
 #include "analysis/calibration_plot.hpp"
 #include "analysis/field_plot.hpp"
 #include "analysis/fonts.hpp"
+#include "analysis/map_plot.hpp"
 #include "analysis/plot.hpp"
 #include "libmpm/io/vtkhdf.hpp"
 #include "libmpm/scene/kinds/kind.hpp"
@@ -101,6 +102,11 @@ analysis::QuantityLabel critical_label(const mpm::Quantity& searched) {
   return label;
 }
 
+analysis::QuantityLabel label_of_result(const StudyResults& results, const std::string& name) {
+  return results.critical && critical_result(name) ? critical_label(*results.critical)
+                                                   : label_of(name, unit_of(results, name));
+}
+
 /// Of several families of critical values only those on their finest cell are drawn, with the extrapolated
 /// ones: the coarser ones are in the table of brackets.
 bool is_left_out(const Study& study, const FigureRequest& request, const Group& group) {
@@ -119,9 +125,10 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   plot.kind = analysis::Plot::Kind::xy;
   plot.title = request.title;
   plot.footer = footer_of(study, results);
-  plot.x = label_of_parameter(study, request.x);
-  plot.y = results.critical && critical_result(request.y) ? critical_label(*results.critical)
-                                                          : label_of(request.y, unit_of(results, request.y));
+  plot.x = quantity_unit(study, request.x).empty() ? label_of_result(results, request.x)
+                                                   : label_of_parameter(study, request.x);
+  plot.log_x = request.log_x, plot.log_y = request.log_y;
+  plot.y = label_of_result(results, request.y);
   const auto groups = group_jobs(study, results, curve_of(study, request.x, request.y));
   for (const Group& group : groups) {
     Column c = column_of(results, group, request.x, request.y);
@@ -135,11 +142,37 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   }
   if (critical_result(request.y) == CriticalResult::bracket) {
     add_extrapolated(study, results, request, plot);
-    plot.y_from_zero = !plot.fit;
+    plot.y_from_zero = !plot.fit && !plot.log_y;
   }
   if (plot.series.empty()) return false;
   draw(plot, stem);
   return true;
+}
+
+/// One figure per group of jobs that differ in more than x and y: NAME, or NAME-1, NAME-2, ...
+std::vector<fs::path> draw_map(const Study& study, const StudyResults& results, const FigureRequest& request,
+                               const fs::path& stem) {
+  std::vector<fs::path> stems;
+  const auto groups = group_jobs(study, results, map_of(study, request.x, request.y));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    analysis::MapPlot map;
+    map.title = groups[g].label.empty() ? request.title : request.title + ", " + groups[g].label;
+    map.footer = footer_of(study, results);
+    map.x = label_of_parameter(study, request.x);
+    map.y = label_of_parameter(study, request.y);
+    map.colour = label_of_result(results, request.colour);
+    map.log_x = request.log_x, map.log_y = request.log_y;
+    for (const JobResults* job : groups[g].jobs) {
+      const auto value = result_of(results, *job, request.colour);
+      if (!value) continue;
+      map.points.push_back({quantity_value(job->scene, request.x).value_or(0),
+                            quantity_value(job->scene, request.y).value_or(0), value->value});
+    }
+    if (map.points.empty()) continue;
+    stems.push_back(stem.string() + (groups.size() == 1 ? "" : fmt::format("-{}", g + 1)));
+    draw(map, stems.back());
+  }
+  return stems;
 }
 
 /// One panel per snapshot; times have digits until they differ.
@@ -205,6 +238,8 @@ Draw drawing_of(FigureKind of) {
       return one_file<draw_history>;
     case FigureKind::xy:
       return one_file<draw_xy>;
+    case FigureKind::map:
+      return draw_map;
     case FigureKind::fields:
       return draw_fields;
     case FigureKind::calibration:
@@ -234,7 +269,8 @@ std::vector<std::string> not_drawn(const Study& study, const std::vector<fs::pat
     if (kind.least_cells > 1) continue;  // an accuracy may be reached before there are cells for it
     if (std::ranges::any_of(drawn, [&](const fs::path& file) {
           const std::string stem = file.stem().string();
-          return stem == request.name || (kind.of_snapshots && stem.starts_with(request.name + "-"));
+          return stem == request.name ||
+                 ((kind.of_snapshots || kind.has_colour) && stem.starts_with(request.name + "-"));
         }))
       continue;
     const fs::path before = results / "figures" / study.name / (request.name + ".png");

@@ -13,11 +13,18 @@ namespace mpmstudy {
 namespace {
 
 /// Unit of y over a power of x: "1/m^2", "Pa/(m/s)".
-std::string coefficient_unit(const std::string& y, std::string_view x, std::size_t power) {
+std::string unit_over_power(const std::string& y, std::string_view x, std::size_t power) {
   if (power == 0 || x == "1") return y;
   std::string divisor(x);
   if (x.find('/') != std::string_view::npos) divisor = fmt::format("({})", x);
   return power == 1 ? fmt::format("{}/{}", y, divisor) : fmt::format("{}/{}^{}", y, divisor, power);
+}
+
+std::string coefficient_unit(const analysis::Fit& fit, const std::string& y, std::string_view x,
+                             std::size_t k) {
+  if (analysis::is_polynomial(fit.model)) return unit_over_power(y, x, k);
+  if (k == 0) return y;
+  return fit.model == analysis::FitModel::power ? "1" : unit_over_power("1", x, 1);
 }
 
 }  // namespace
@@ -28,6 +35,13 @@ bool stands_elsewhere(const Group& group, const std::string& y) {
                               [](const JobResults* job) { return job->extrapolated.has_value(); });
 }
 
+/// A quantity of the scene, or another result of the job. Empty where the job has none.
+std::optional<double> abscissa_of(const StudyResults& results, const JobResults& job, const std::string& x) {
+  if (const auto quantity = quantity_value(job.scene, x)) return quantity;
+  const auto result = result_of(results, job, x);
+  return result ? std::optional(result->value) : std::nullopt;
+}
+
 Column column_of(const StudyResults& results, const Group& group, const std::string& x,
                  const std::string& y) {
   Column column;
@@ -35,7 +49,9 @@ Column column_of(const StudyResults& results, const Group& group, const std::str
   for (const JobResults* job : group.jobs) {
     const auto measured = result_of(results, *job, y);
     if (!measured) continue;
-    column.x.push_back(quantity_value(job->scene, x).value_or(0));
+    const auto place = abscissa_of(results, *job, x);
+    if (!place) continue;
+    column.x.push_back(*place);
     column.y.push_back(measured->value);
     column.y_error.push_back(measured->error.value_or(0));
     errors |= measured->error.value_or(0) > 0;
@@ -47,8 +63,8 @@ Column column_of(const StudyResults& results, const Group& group, const std::str
 analysis::Fit fit_column(const FitRequest& request, const Column& c) {
   const bool weighed =
       !c.y_error.empty() && std::ranges::all_of(c.y_error, [](double error) { return error > 0; });
-  return analysis::fit_polynomial(*analysis::fit_model(request.model), c.x, c.y,
-                                  weighed ? std::span<const double>(c.y_error) : std::span<const double>());
+  return analysis::fit_curve(*analysis::fit_model(request.model), c.x, c.y,
+                             weighed ? std::span<const double>(c.y_error) : std::span<const double>());
 }
 
 Fits fit_study(const Study& study, const StudyResults& results) {
@@ -74,7 +90,7 @@ Fits fit_study(const Study& study, const StudyResults& results) {
                    fit.coefficients[k],
                    {},
                    fit.r2,
-                   coefficient_unit(y_unit, x_unit, k),
+                   coefficient_unit(fit, y_unit, x_unit, k),
                    {}};
         if (!fit.standard_errors.empty()) row.standard_error = fit.standard_errors[k];
         if (!fit.covariance.empty()) {

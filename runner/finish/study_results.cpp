@@ -118,7 +118,7 @@ std::string flags_of(const StudyResults& results, const JobResults& job) {
 std::set<std::string> results_asked_for(const Study& study) {
   std::set<std::string> asked;
   for (const FitRequest& fit : study.fits) asked.insert(fit.y);
-  for (const FigureRequest& figure : study.figures) asked.insert(figure.y);
+  for (const FigureRequest& figure : study.figures) asked.insert({figure.x, figure.y, figure.colour});
   return asked;
 }
 
@@ -263,6 +263,7 @@ std::vector<std::string> flagged_brackets(const Study& study, const StudyResults
 }
 
 std::vector<std::string> curve_of(const Study& study, const std::string& x, const std::string& y) {
+  if (quantity_unit(study, x).empty()) return study.swept;  // a result against another one
   std::set<double> places;
   std::set<std::string> jobs;  // a value that stands twice in a list makes one job
   for (const mpm::Scene& scene : study.scenes) {
@@ -271,7 +272,25 @@ std::vector<std::string> curve_of(const Study& study, const std::string& x, cons
   }
   if (places.size() == jobs.size()) return study.swept;
   if (critical_result(y) == CriticalResult::extrapolated) return {x, "cell_size"};
+  for (const auto& group : study.together) {
+    if (std::ranges::find(group, x) == group.end()) continue;
+    std::set<std::vector<double>> values;
+    for (const mpm::Scene& scene : study.scenes) {
+      std::vector<double> one;
+      for (const std::string& name : group) one.push_back(parameter_number(scene, name));
+      values.insert(std::move(one));
+    }
+    if (values.size() == places.size()) return group;
+  }
   return {x};
+}
+
+std::vector<std::string> map_of(const Study& study, const std::string& x, const std::string& y) {
+  std::vector<std::string> names = {x, y};
+  for (const auto& group : study.together)
+    if (std::ranges::find(group, x) != group.end() || std::ranges::find(group, y) != group.end())
+      names.insert(names.end(), group.begin(), group.end());
+  return names;
 }
 
 }  // namespace mpmstudy

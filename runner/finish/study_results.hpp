@@ -81,7 +81,10 @@ struct Group {
 /// Values that differ by rounding alone are one: a wall thickness is a difference of lengths.
 std::vector<Group> group_jobs(const Study&, const StudyResults&, const std::vector<std::string>& within);
 /// What jobs on one curve of `y` against `x` differ in: x; cells, where y is extrapolated from them;
-/// everything, where no two scenes have the same x (mode = "zip").
+/// what goes together with x, where that has as many values (zip, points); everything, where no two scenes
+/// have the same x, and where x is a result.
 std::vector<std::string> curve_of(const Study&, const std::string& x, const std::string& y);
+/// What jobs on one map over x and y differ in: both, and what goes together with one of them.
+std::vector<std::string> map_of(const Study&, const std::string& x, const std::string& y);
 
 }  // namespace mpmstudy

@@ -45,18 +45,19 @@ bool axis_suits(const SweepRequest& request, const Axis& axis, Mistakes& mistake
 /// Axes whose values go together: one, or those of a group.
 struct Group {
   std::vector<std::size_t> axes;
-  const ZipGroup* of = nullptr;  ///< null: one axis by itself, or mode "zip"
+  const ZipGroup* of = nullptr;  ///< null: one axis by itself, or all of another mode than grid
 };
 
-/// Of a grid or a zip, each where its first axis stands in the file.
+/// Each where its first axis stands in the file.
 std::vector<Group> groups_of(const SweepRequest& request, const std::vector<const Axis*>& swept) {
   std::vector<Group> groups;
   for (std::size_t axis = 0; axis < swept.size(); ++axis) {
     const ZipGroup* of = nullptr;
     for (const ZipGroup& group : request.groups)
       if (std::ranges::find(group.names, swept[axis]->name()) != group.names.end()) of = &group;
-    const auto known = std::ranges::find_if(
-        groups, [&](const Group& group) { return request.mode == SweepMode::zip || (of && group.of == of); });
+    const auto known = std::ranges::find_if(groups, [&](const Group& group) {
+      return request.mode != SweepMode::grid || (of && group.of == of);
+    });
     if (known != groups.end())
       known->axes.push_back(axis);
     else
@@ -138,6 +139,17 @@ void refuse_count(const SweepRequest& request, const std::vector<const Axis*>& s
 }
 
 }  // namespace
+
+std::vector<std::vector<std::string>> swept_together(const SweepRequest& request,
+                                                     const std::vector<const Axis*>& swept) {
+  std::vector<std::vector<std::string>> together;
+  for (const Group& group : groups_of(request, swept)) {
+    if (group.axes.size() < 2) continue;
+    together.emplace_back();
+    for (const std::size_t axis : group.axes) together.back().emplace_back(swept[axis]->name());
+  }
+  return together;
+}
 
 std::optional<std::uint64_t> count_jobs(const SweepRequest& request, const std::vector<const Axis*>& swept,
                                         std::uint64_t most_jobs, const Place& file, Mistakes& mistakes) {

@@ -9,6 +9,10 @@
 
 namespace mpmstudy {
 
+/// The swept parameters whose values go together: of a group, of a zip, and all of a sampled mode.
+std::vector<std::vector<std::string>> swept_together(const SweepRequest&,
+                                                     const std::vector<const Axis*>& swept);
+
 /// The number of jobs, without making any; checks that the axes suit the mode. Empty after adding mistakes,
 /// among them: more than `most_jobs`.
 std::optional<std::uint64_t> count_jobs(const SweepRequest&, const std::vector<const Axis*>& swept,

@@ -48,6 +48,7 @@ class Reader {
     if (sweep && points) add_group(*sweep, *points);
     const auto swept = swept_axes(request_);
     for (const Axis* axis : swept) study_.swept.emplace_back(axis->name());
+    if (sweep) study_.together = swept_together(*sweep, swept);
     std::optional<std::uint64_t> jobs;
     if (sweep) jobs = count_jobs(*sweep, swept, options_.most_jobs, top_, mistakes_);
     mistakes_.throw_if_any();

@@ -74,38 +74,39 @@ Refusal not_of_this_study(const mpm::ResultRow& row, const RequestContext& conte
 }
 
 /// "rear.max": a number that a gauge of this study comes to.
-void read_gauge_result(const std::string& name, const Value& value, const RequestContext& context,
-                       Mistakes& mistakes) {
+void read_gauge_result(std::string_view key, const std::string& name, const Value& value,
+                       const RequestContext& context, Mistakes& mistakes) {
   if (std::ranges::find(context.gauge_results, name) != context.gauge_results.end()) return;
   if (context.gauges.empty())
-    return mistakes.add("y", value, {"there is no [[gauge]]", "add one, or take a result of a run"});
+    return mistakes.add(key, value, {"there is no [[gauge]]", "add one, or take a result of a run"});
   std::vector<std::string_view> own(context.gauge_results.begin(), context.gauge_results.end());
   if (!mpm::is_of_gauge(name)) {
     std::erase_if(own, [&](std::string_view one) { return !one.starts_with(name + "."); });
-    return mistakes.add("y", value, {"is a history, and not one number", "allowed: " + listed(own)});
+    return mistakes.add(key, value, {"is a history, and not one number", "allowed: " + listed(own)});
   }
-  mistakes.add("y", value, unknown_word(name, "number of a gauge", own));
+  mistakes.add(key, value, unknown_word(name, "number of a gauge", own));
 }
 
-/// y of a fit or a figure: a result that jobs of this study can have. `wanted`: which of them will do.
+/// y of a fit or a figure, or another of its keys: a result that jobs of this study can have. `wanted`: which
+/// of them will do.
 template <class Wanted>
-std::string read_result(const Entry& parent, const Table& table, const RequestContext& context,
-                        Mistakes& mistakes, Wanted wanted) {
-  const auto name = required_string(table, parent.place, "y", "result", mistakes);
+std::string read_result(std::string_view key, const Entry& parent, const Table& table,
+                        const RequestContext& context, Mistakes& mistakes, Wanted wanted) {
+  const auto name = required_string(table, parent.place, key, "result", mistakes);
   if (!name) return {};
   std::vector<std::string_view> own;
   for (const mpm::ResultRow& row : mpm::results())
     if (wanted(row) && can_have(row, context)) own.push_back(row.name);
-  const Value& value = table.find("y")->value;
+  const Value& value = table.find(key)->value;
   if (mpm::is_of_gauge(*name) || std::ranges::find(context.gauges, *name) != context.gauges.end()) {
-    read_gauge_result(*name, value, context, mistakes);
+    read_gauge_result(key, *name, value, context, mistakes);
     return *name;
   }
   const mpm::ResultRow* row = mpm::find_result(*name);
   if (!row || !wanted(*row))
-    mistakes.add("y", value, unknown_word(*name, "result", own));
+    mistakes.add(key, value, unknown_word(*name, "result", own));
   else if (!can_have(*row, context))
-    mistakes.add("y", value, not_of_this_study(*row, context, own));
+    mistakes.add(key, value, not_of_this_study(*row, context, own));
   return *name;
 }
 
@@ -113,42 +114,73 @@ bool any_result(const mpm::ResultRow&) { return true; }
 bool with_interval(const mpm::ResultRow& row) { return row.has_interval; }
 
 /// y of a fit or an xy figure: a result, or what the study's [search] finds.
-std::string read_y(const Entry& parent, const Table& table, const RequestContext& context,
-                   Mistakes& mistakes) {
-  const Entry* entry = table.find("y");
+std::string read_y(std::string_view key, const Entry& parent, const Table& table,
+                   const RequestContext& context, Mistakes& mistakes) {
+  const Entry* entry = table.find(key);
   const std::string* name = entry ? entry->value.string() : nullptr;
   if (name && critical_result(*name)) {
     if (context.critical.empty())
-      mistakes.add("y", entry->value, {"there is no [search]", "add one, or take a result of a run"});
+      mistakes.add(key, entry->value, {"there is no [search]", "add one, or take a result of a run"});
     else if (!critical_result(*name, context.critical))
       mistakes.add(
-          "y", entry->value,
+          key, entry->value,
           {"is not what [search] looks for", "allowed: " + listed(critical_names(context.critical))});
     return *name;
   }
-  return read_result(parent, table, context, mistakes, any_result);
+  return read_result(key, parent, table, context, mistakes, any_result);
 }
 
 /// x of a fit or a figure: a quantity that the study varies.
-std::string read_x(const Entry& parent, const Table& table, const RequestContext& context,
-                   Mistakes& mistakes) {
-  const auto name = required_string(table, parent.place, "x", "a swept quantity", mistakes);
+std::string read_x(std::string_view key, const Entry& parent, const Table& table,
+                   const RequestContext& context, Mistakes& mistakes) {
+  const auto name = required_string(table, parent.place, key, "a swept quantity", mistakes);
   if (!name) return {};
   std::vector<std::string_view> names;
   for (const mpm::Quantity& row : mpm::quantities())
     if (!context.kind || row.belongs_to(*context.kind)) names.push_back(row.name);
   for (const OwnParameter& own : context.own) names.push_back(own.name);
-  const Value& value = table.find("x")->value;
+  const Value& value = table.find(key)->value;
   if (std::find(names.begin(), names.end(), *name) == names.end())
-    mistakes.add("x", value, unknown_word(*name, "quantity", names));
+    mistakes.add(key, value, unknown_word(*name, "quantity", names));
   else if (std::find(context.fixed.begin(), context.fixed.end(), *name) != context.fixed.end())
-    mistakes.add("x", value, {"has one value in this study", "sweep it, or take a quantity that is swept"});
+    mistakes.add(key, value, {"has one value in this study", "sweep it, or take a quantity that is swept"});
   else if (!context.says(*name))
-    mistakes.add("x", value,
+    mistakes.add(key, value,
                  {"is not in this study", "sweep it in [" +
                                               std::string(table_name(mpm::find_quantity(*name)->section)) +
                                               "], or take a quantity that is swept"});
   return *name;
+}
+
+/// x of a figure against which a result is drawn: a quantity that the study varies, or another result.
+std::string read_abscissa(const Entry& parent, const Table& table, const RequestContext& context,
+                          Mistakes& mistakes) {
+  const Entry* entry = table.find("x");
+  const std::string* name = entry ? entry->value.string() : nullptr;
+  std::vector<std::string_view> results, quantities;
+  for (const mpm::ResultRow& row : mpm::results()) results.push_back(row.name);
+  for (const mpm::Quantity& row : mpm::quantities()) quantities.push_back(row.name);
+  const bool is_result =
+      name && (critical_result(*name) || mpm::is_of_gauge(*name) ||
+               (nearest(*name, quantities).empty() && !nearest(*name, results).empty()));  // also misspelt
+  return is_result ? read_y("x", parent, table, context, mistakes)
+                   : read_x("x", parent, table, context, mistakes);
+}
+
+/// log = "x", or ["x", "y"].
+void read_log(const Table& table, const FigureKindRow& row, FigureRequest& figure, Mistakes& mistakes) {
+  const Entry* entry = table.find("log");
+  if (!entry) return;
+  if (!row.has_x) {
+    mistakes.add("log", entry->value,
+                 {fmt::format("a figure of kind {} has no such axes", row.word), "remove it"});
+    return;
+  }
+  constexpr std::array<std::string_view, 2> axes = {"x", "y"};
+  const List one = {entry->value};
+  for (const Value& value : entry->value.list() ? *entry->value.list() : one)
+    if (const auto axis = find_word("log", value, "axis", axes, mistakes))
+      (*axis == 0 ? figure.log_x : figure.log_y) = true;
 }
 
 /// Whether this study can have a figure of that kind.
@@ -188,19 +220,32 @@ void read_axes(const Entry& entry, const Table& table, const FigureKindRow& row,
       mistakes.add(key, extra->value,
                    {fmt::format("a figure of kind {} has no {}", row.word, key), "remove it"});
   };
-  if (row.has_x)
-    figure.x = read_x(entry, table, context, mistakes);
-  else
+  if (!row.has_x)
     refuse("x");
+  else if (row.y == FigureY::result)
+    figure.x = read_abscissa(entry, table, context, mistakes);
+  else
+    figure.x = read_x("x", entry, table, context, mistakes);
+  if (row.has_colour)
+    figure.colour = read_y("colour", entry, table, context, mistakes);
+  else
+    refuse("colour");
+  read_log(table, row, figure, mistakes);
   switch (row.y) {
+    case FigureY::quantity:
+      figure.y = read_x("y", entry, table, context, mistakes);
+      if (!figure.y.empty() && figure.y == figure.x)
+        mistakes.add("y", table.find("y")->value,
+                     {"is also its x", "allowed: another quantity that is swept"});
+      break;
     case FigureY::history:
       figure.y = read_history(entry, table, context, mistakes);
       break;
     case FigureY::result:
-      figure.y = read_y(entry, table, context, mistakes);
+      figure.y = read_y("y", entry, table, context, mistakes);
       break;
     case FigureY::result_with_interval:
-      figure.y = read_result(entry, table, context, mistakes, with_interval);
+      figure.y = read_result("y", entry, table, context, mistakes, with_interval);
       break;
     case FigureY::field:
       figure.y = read_word(entry, table, "y", "field", field_names(), mistakes);
@@ -284,8 +329,8 @@ std::vector<FitRequest> read_fits(const Table& document, const RequestContext& c
   std::vector<FitRequest> fits;
   for_each_table(document, "fit", mistakes, [&](const Entry& entry, const Table& table) {
     FitRequest fit;
-    fit.x = read_x(entry, table, context, mistakes);
-    fit.y = read_y(entry, table, context, mistakes);
+    fit.x = read_x("x", entry, table, context, mistakes);
+    fit.y = read_y("y", entry, table, context, mistakes);
     fit.model = read_word(entry, table, "model", "model", analysis::fit_model_names(), mistakes);
     fits.push_back(fit);
   });

@@ -18,11 +18,11 @@ namespace mpmstudy {
 
 class Units;
 
-/// A fit that the study asks for: y = c0 + c1 x + c2 x^2 for "quadratic".
+/// A fit that the study asks for (analysis/fit.hpp).
 struct FitRequest {
   std::string x;      ///< a swept quantity, e.g. "cavity_radius"
   std::string y;      ///< a result column, e.g. "collapsibility"
-  std::string model;  ///< "linear", "quadratic"
+  std::string model;  ///< "linear", "quadratic", "power", "exponential"
 };
 
 /// A figure that the study asks for ([[figure]]).
@@ -30,8 +30,10 @@ struct FigureRequest {
   std::string name;  ///< file stem, e.g. "area-of-radius"
   std::string title;
   FigureKind kind{};
-  std::string x;  ///< a quantity, where the kind has one
-  std::string y;  ///< a result column, or a field: "pressure", "plastic_work", ...
+  std::string x;       ///< a quantity, where the kind has one; of xy also a result
+  std::string y;       ///< a result column, or a field: "pressure", "plastic_work", ...; of a map a quantity
+  std::string colour;  ///< of a map: a result
+  bool log_x = false, log_y = false;  ///< by the logarithm
 };
 
 /// A critical value that the study looks for ([search]): the smallest `critical` that has `outcome`.
@@ -90,7 +92,8 @@ struct Study {
   std::string name;
   std::string title;
   mpm::SceneKind kind{};
-  std::vector<std::string> swept;   ///< names of the swept quantities and choices, in file order
+  std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
+  std::vector<std::vector<std::string>> together;  ///< of swept: those whose values go together
   std::vector<std::string> given;   ///< names of everything the file sets, swept or not; the rest is default
   std::vector<std::string> places;  ///< of given, where each is said: "studies/a.toml:12:16", "--set"
   std::vector<OwnParameter> own;    ///< parameters of the study's own, in file order

@@ -151,4 +151,79 @@ TEST(Fit, SaysWhyThereIsNone) {
   EXPECT_THAT(problem({1, 2, 3}, {1, 2, 3}, {1, 0, 1}), HasSubstr("not a positive number"));
 }
 
+// A power law and an exponential.
+
+/// NIST StRD, nonlinear regression, DanWood: y = b1 x^b2; certified to 11 digits.
+TEST(FitCurve, PowerIsThatOfNist) {
+  const Numbers x = {1.309, 1.471, 1.490, 1.565, 1.611, 1.680},
+                y = {2.138, 3.421, 3.597, 4.340, 4.882, 5.660};
+  const Fit fit = fit_curve(FitModel::power, x, y);
+  ASSERT_TRUE(fit.ok()) << fit.failure;
+  EXPECT_NEAR(fit.coefficients[0], 7.6886226176E-01, 1e-10);
+  EXPECT_NEAR(fit.coefficients[1], 3.8604055871E+00, 1e-9);
+  EXPECT_NEAR(fit.standard_errors[0], 1.8281973860E-02, 1e-10);
+  EXPECT_NEAR(fit.standard_errors[1], 5.1726610913E-02, 1e-10);
+  EXPECT_NEAR(*fit.residual_standard_deviation, 3.2853114039E-02, 1e-11);
+  EXPECT_NEAR(fit(1.5), 0.76886226176 * std::pow(1.5, 3.8604055871), 1e-9);
+}
+
+/// In X = exp(x) the exponential in x is a power law: the same curve, the same errors.
+TEST(FitCurve, ExponentialIsThePowerLawOfItsExponential) {
+  const Numbers x = {0.3, 0.8, 1.1, 1.9, 2.4, 3.3}, y = {-2.1, -3.0, -4.2, -7.7, -11.9, -26},
+                error = {0.2, 0.2, 0.3, 0.4, 0.5, 2};
+  Numbers to_power;
+  for (const double v : x) to_power.push_back(std::exp(v));
+  for (const auto& weights : {Numbers{}, error}) {
+    const Fit exponential = fit_curve(FitModel::exponential, x, y, weights),
+              power = fit_curve(FitModel::power, to_power, y, weights);
+    ASSERT_TRUE(exponential.ok()) << exponential.failure;
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR(exponential.coefficients[k] / power.coefficients[k], 1, 1e-9);
+      EXPECT_NEAR(exponential.standard_errors[k] / power.standard_errors[k], 1, 1e-7);
+    }
+    EXPECT_NEAR(exponential(2) / power(std::exp(2)), 1, 1e-9);
+    EXPECT_NEAR(*exponential.band(2) / *power.band(std::exp(2)), 1, 1e-7);
+  }
+}
+
+/// The weighted sum of squares does not fall to either side.
+TEST(FitCurve, IsTheLeastSumOfSquares) {
+  const Numbers x = {1, 2, 3, 5, 8}, y = {10, 7.5, 5.2, 3.3, 1.2}, error = {0.5, 0.2, 0.4, 0.1, 0.3};
+  const Fit fit = fit_curve(FitModel::exponential, x, y, error);
+  ASSERT_TRUE(fit.ok());
+  const auto sum = [&](double c0, double c1) {
+    double squares = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      squares += std::pow((y[i] - c0 * std::exp(c1 * x[i])) / error[i], 2);
+    return squares;
+  };
+  const double c0 = fit.coefficients[0], c1 = fit.coefficients[1], least = sum(c0, c1);
+  for (const double step : {-1e-4, 1e-4}) {
+    EXPECT_GT(sum(c0 * (1 + step), c1), least);
+    EXPECT_GT(sum(c0, c1 * (1 + step)), least);
+    EXPECT_GT(sum(c0 * (1 + step), c1 * (1 + step)), least);
+  }
+  EXPECT_NEAR(*fit.reduced_chi2(), least / 3, 1e-9);
+}
+
+TEST(FitCurve, PrefactorIsInTheUnitsOfTheAxes) {
+  const Numbers x = {1e-6, 1.5e-6, 2e-6, 2.5e-6}, y = {3e6, 4.4e6, 6.1e6, 7.2e6};
+  Numbers in_um, in_mpa;
+  for (const double v : x) in_um.push_back(v * 1e6);
+  for (const double v : y) in_mpa.push_back(v * 1e-6);
+  const Fit si = fit_curve(FitModel::power, x, y), shown = fit_curve(FitModel::power, in_um, in_mpa);
+  const auto prefactor = si.prefactor(1e6, 1e-6);
+  EXPECT_NEAR(prefactor.value, shown.coefficients[0], 1e-9);
+  EXPECT_NEAR(*prefactor.standard_error / shown.standard_errors[0], 1, 1e-6);
+}
+
+TEST(FitCurve, SaysWhyThereIsNone) {
+  EXPECT_THAT(fit_curve(FitModel::power, Numbers{0, 1, 2}, Numbers{1, 2, 3}).failure,
+              HasSubstr("not all above zero"));
+  EXPECT_THAT(fit_curve(FitModel::power, Numbers{1, 2, 3}, Numbers{1, -2, 3}).failure,
+              HasSubstr("not all of one sign"));
+  EXPECT_THAT(fit_curve(FitModel::exponential, Numbers{1}, Numbers{1}).failure,
+              HasSubstr("an exponential fit needs at least 2 points; there are 1"));
+}
+
 }  // namespace

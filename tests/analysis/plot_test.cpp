@@ -185,4 +185,17 @@ TEST_F(PlotTest, AMissingGnuplotNamesItsPackage) {
   EXPECT_EQ(entries(), 0);
 }
 
+TEST(FitCaption, OfAPowerLawAndAnExponential) {
+  const std::vector<double> x = {1e-6, 2e-6, 3e-6, 4e-6}, y = {0.5, 0.36, 0.28, 0.26};
+  const auto caption = [&](FitModel model) {
+    const auto r = quantity_label("cavity_radius", "m", "R"),
+               phi = quantity_label("collapsibility", "1", "Φ");
+    return fit_caption(fit_curve(model, x, y), r, display_unit("m", 4e-6), phi, display_unit("1", 0.5));
+  };
+  EXPECT_THAT(caption(FitModel::power),
+              testing::StartsWith("Φ = (0.5002 ± 0.0096) R^(−(0.492 ± 0.026));  R in µm"));
+  EXPECT_THAT(caption(FitModel::exponential),
+              testing::StartsWith("Φ = (0.620 ± 0.053) exp(−(0.244 ± 0.039) R);  R in µm"));
+}
+
 }  // namespace

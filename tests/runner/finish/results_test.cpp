@@ -56,6 +56,46 @@ TEST_F(Results, GroupsAreMadeByValuesAndLabelsHaveDigitsUntilTheyDiffer) {
   EXPECT_EQ(fits.rows[2].points, 2);
 }
 
+TEST_F(Results, CoefficientsOfAPowerLawHaveTheirUnits) {
+  std::vector<mpm::Scene> scenes;
+  std::vector<mpm::RunResult> made;
+  for (const double radius : {1e-6, 2e-6, 4e-6}) {
+    scenes.push_back(fakes::scene(radius));
+    made.push_back(collapsed(0.8 * std::sqrt(1e-6 / radius), 0.01));
+  }
+  Study study = made_study("power", scenes, {"cavity_radius"});
+  study.fits = {{"cavity_radius", "collapsibility", "power"},
+                {"cavity_radius", "collapsibility", "exponential"}};
+  CatalogWriter writer(results());
+  put(writer, study, made);
+  const Fits fits = fit_study(study, read_results(study, results()));
+  ASSERT_THAT(fits.rows, SizeIs(4));
+  EXPECT_NEAR(fits.rows[0].value, 0.8e-3, 1e-9);  // at 1 m
+  EXPECT_EQ(fits.rows[0].unit, "1");
+  EXPECT_NEAR(fits.rows[1].value, -0.5, 1e-7);
+  EXPECT_EQ(fits.rows[1].unit, "1");
+  EXPECT_EQ(fits.rows[3].unit, "1/m");
+}
+
+/// In a zip, and in a file of points, what goes together with x is on one curve; what else is swept is not.
+TEST_F(Results, ACurveHasWhatGoesTogetherWithItsX) {
+  std::vector<mpm::Scene> scenes;
+  for (const double stress : {1e8, 2e8})
+    for (const double radius : {1e-6, 2e-6}) {
+      scenes.push_back(fakes::scene(radius));
+      scenes.back().impact_speed = 1e8 * radius;
+      scenes.back().material.yield_stress = stress;
+    }
+  Study study = made_study("together", scenes, {"yield_stress", "impact_speed", "cavity_radius"});
+  EXPECT_EQ(curve_of(study, "cavity_radius", "collapsibility"), (std::vector<std::string>{"cavity_radius"}));
+  study.together = {{"impact_speed", "cavity_radius"}};
+  EXPECT_EQ(curve_of(study, "cavity_radius", "collapsibility"), study.together[0]);
+  EXPECT_EQ(curve_of(study, "yield_stress", "collapsibility"), (std::vector<std::string>{"yield_stress"}));
+  // a factorial in a file: radii that come with several speeds
+  study.scenes[1].impact_speed = 100, study.scenes[0].impact_speed = 250;
+  EXPECT_EQ(curve_of(study, "cavity_radius", "collapsibility"), (std::vector<std::string>{"cavity_radius"}));
+}
+
 TEST_F(Results, ValuesThatDifferByRoundingAreOne) {
   std::vector<mpm::Scene> scenes(2, fakes::scene(1e-6));
   scenes[1].cavity_radius = std::nextafter(1e-6, 1);
