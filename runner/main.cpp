@@ -19,10 +19,12 @@
 #include "runner/cli/figures.hpp"
 #include "runner/cli/merge.hpp"
 #include "runner/cli/plan.hpp"
+#include "runner/cli/predict.hpp"
 #include "runner/cli/query.hpp"
 #include "runner/cli/report.hpp"
 #include "runner/cli/retry.hpp"
 #include "runner/cli/run.hpp"
+#include "runner/cli/sensitivity.hpp"
 #include "runner/cli/show.hpp"
 #include "runner/cli/status.hpp"
 #include "runner/cli/usage.hpp"
@@ -44,6 +46,8 @@ void setup_verbs(CLI::App& app) {
   };
   mpmstudy::setup_run(app, {simulate, mpm::write_vtkhdf, mpmstudy::finish_study});
   mpmstudy::setup_show(app);
+  mpmstudy::setup_predict(app);
+  mpmstudy::setup_sensitivity(app);
   mpmstudy::setup_status(app);
   mpmstudy::setup_watch(app);
   mpmstudy::setup_explain(app);

@@ -150,6 +150,20 @@ std::vector<StudyForm> forms_of(const std::vector<std::string>& files, const Stu
   return forms;
 }
 
+StudyForm form_named(const std::string& name, const StudyOptions& options, const std::string& results) {
+  if (fs::exists(name)) return last_form(name, options, results);
+  if (options.cells_told || !options.set.empty())
+    throw StudyError("--set, --cells: say of which file; " + name + " is none");
+  std::string known;
+  for (const StoredStudy& study : read_studies(results)) {
+    known += (known.empty() ? "" : ", ") + study.name;
+    if (study.name != name) continue;
+    if (auto form = recorded_form(study)) return *form;
+    throw StudyError(name + ": its file " + study.source.path + " is gone; give the path of its file");
+  }
+  throw StudyError(name + ": no such file, and no study of the catalog; it has: " + known);
+}
+
 StudyForm as_written(StudyForm form) {
   std::erase_if(form.options.set, [](const std::string& set) {
     const std::string key = key_of(set);

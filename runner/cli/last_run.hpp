@@ -34,6 +34,10 @@ std::vector<StudyForm> all_forms(const std::string& results, bool& complete);
 std::vector<StudyForm> forms_of(const std::vector<std::string>& files, const StudyOptions&,
                                 const std::string& results, bool& complete);
 
+/// The form of a study that is given by the path of its file, or by its name in the catalog. Throws
+/// StudyError.
+StudyForm form_named(const std::string& study, const StudyOptions&, const std::string& results);
+
 /// A form without what changes the physics of the file: only the options on cells, numerics, snapshots, the
 /// tolerance of a search, and name and title stay. Statements on the results of a file are judged on this.
 StudyForm as_written(StudyForm);

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "runner/cli/json_results.hpp"
@@ -16,29 +15,6 @@
 #include "runner/finish/study_results.hpp"
 
 namespace mpmstudy {
-namespace {
-
-/// A study of the catalog by its name, in the form of its last run.
-StudyForm form_named(const std::string& name, const std::string& results) {
-  std::string known;
-  for (const StoredStudy& study : read_studies(results)) {
-    known += (known.empty() ? "" : ", ") + study.name;
-    if (study.name != name) continue;
-    if (auto form = recorded_form(study)) return *form;
-    throw StudyError(name + ": its file " + study.source.path + " is gone; give the path of its file");
-  }
-  throw StudyError(name + ": no such file, and no study of the catalog; it has: " + known);
-}
-
-StudyForm form_of(const std::string& study, const ShowOptions& options) {
-  if (std::filesystem::exists(study)) return last_form(study, options.study, options.results);
-  if (options.study.cells_told || !options.study.set.empty())
-    throw StudyError("--set, --cells: say of which file; " + study + " is none");
-  return form_named(study, options.results);
-}
-
-}  // namespace
-
 void setup_show(CLI::App& app) {
   const auto options = std::make_shared<ShowOptions>();
   CLI::App& verb = *app.add_subcommand("show", "Print what studies have come to: results and fits");
@@ -53,7 +29,7 @@ int run_show(const ShowOptions& options) {
   std::vector<Study> studies;
   int code = exit_ok;
   for (const std::string& name : options.studies) {
-    const StudyForm form = form_of(name, options);
+    const StudyForm form = form_named(name, options.study, options.results);
     studies.push_back(read_study(form.path, form.options));
     const Study& study = studies.back();
     code =

@@ -71,13 +71,6 @@ Value value_of(const Cell& cell) {
   return {cell.place, cell.text};
 }
 
-struct Column {
-  std::string name;
-  std::optional<std::string> unit;
-  Place place;
-  List values;
-};
-
 bool is_name(std::string_view text) {
   return !text.empty() && !(text[0] >= '0' && text[0] <= '9') && std::ranges::all_of(text, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -85,8 +78,8 @@ bool is_name(std::string_view text) {
 }
 
 /// "impact_speed [m/s]". Empty after adding a mistake.
-std::optional<Column> column_of(const Cell& header, Mistakes& mistakes) {
-  Column column{header.text, {}, header.place, {}};
+std::optional<PointColumn> column_of(const Cell& header, Mistakes& mistakes) {
+  PointColumn column{header.text, {}, header.place, {}};
   if (const auto open = header.text.find('['); open != std::string::npos && header.text.ends_with(']')) {
     column.name = trimmed(std::string_view(header.text).substr(0, open));
     column.unit = trimmed(std::string_view(header.text).substr(open + 1, header.text.size() - open - 2));
@@ -99,8 +92,8 @@ std::optional<Column> column_of(const Cell& header, Mistakes& mistakes) {
 }
 
 /// The columns with all their values; mistakes are added.
-std::vector<Column> read_columns(const std::string& text, const std::string& file, Mistakes& mistakes) {
-  std::vector<Column> columns;
+std::vector<PointColumn> read_columns(const std::string& text, const std::string& file, Mistakes& mistakes) {
+  std::vector<PointColumn> columns;
   std::istringstream lines(text);
   Place place{file, 0, 1};
   int wrong_lines = 0;
@@ -154,7 +147,7 @@ bool is_set(const Table& table, std::string_view name) {
 }
 
 /// One column as an entry of its table.
-void add_column(Table& document, Column column, Mistakes& mistakes) {
+void add_column(Table& document, PointColumn column, Mistakes& mistakes) {
   const std::string home = home_of(column.name);
   if (!home.empty() && !document.find(home))
     document.entries.push_back({home, column.place, {column.place, Table{}}});
@@ -176,6 +169,16 @@ void add_column(Table& document, Column column, Mistakes& mistakes) {
 
 }  // namespace
 
+std::optional<std::vector<PointColumn>> read_point_columns(const std::filesystem::path& file,
+                                                           Mistakes& mistakes) {
+  std::error_code ignored;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file, ignored)) return std::nullopt;
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return read_columns(text.str(), file.string(), mistakes);
+}
+
 std::optional<ZipGroup> add_points(Table& document, const std::filesystem::path& study, Mistakes& mistakes) {
   const Table* sweep = document.find_table("sweep");
   const Entry* entry = sweep ? sweep->find("points") : nullptr;
@@ -196,23 +199,20 @@ std::optional<ZipGroup> add_points(Table& document, const std::filesystem::path&
     return refuse({"leads out of the folder of the study file",
                    "allowed: a path from that folder without \"..\", or from /"});
   const std::filesystem::path file = study.parent_path() / *points.string();
-  std::error_code ignored;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, ignored))
+  const std::size_t before = mistakes.size();
+  auto read = read_point_columns(file, mistakes);
+  if (!read)
     return refuse(
         {"cannot be read", "allowed: a CSV file; its path begins at the folder of the study file, " +
                                file.string() + " is looked for"});
-  std::ostringstream text;
-  text << stream.rdbuf();
-  const std::size_t before = mistakes.size();
-  std::vector<Column> columns = read_columns(text.str(), file.string(), mistakes);
+  std::vector<PointColumn>& columns = *read;
   if (mistakes.size() > before) return std::nullopt;
   if (columns.empty() || columns.front().values.empty())
     return refuse(
         {file.string() + " has no points",
          "its first line names parameters, such as impact_speed [m/s], every other line is a point"});
   ZipGroup group{{}, points.place, "points", points.written(), true};
-  for (Column& column : columns) {
+  for (PointColumn& column : columns) {
     if (std::ranges::find(group.names, column.name) != group.names.end()) {
       mistakes.add(column.place, column.name, {"has two columns", "allowed: one"});
       continue;

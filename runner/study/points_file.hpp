@@ -9,6 +9,15 @@
 
 namespace mpmstudy {
 
+struct PointColumn {
+  std::string name;
+  std::optional<std::string> unit;  ///< of its header
+  Place place;                      ///< of its header
+  List values;                      ///< numbers where it has a unit; as many as other columns have
+};
+/// The columns of a file; there may be none after adding mistakes. Empty without: it cannot be read.
+std::optional<std::vector<PointColumn>> read_point_columns(const std::filesystem::path&, Mistakes&);
+
 /// Puts every column into the document as a list of values of its parameter, and returns which of them go
 /// together. A column whose parameter --set has said is left out. Empty: there is no `points`, or after
 /// adding mistakes.

@@ -49,6 +49,12 @@ class Reader {
     const auto swept = swept_axes(request_);
     for (const Axis* axis : swept) study_.swept.emplace_back(axis->name());
     if (sweep) study_.together = swept_together(*sweep, swept);
+    if (sweep && is_sampled(sweep->mode))
+      for (const Axis* axis : swept)
+        if (axis->range)
+          study_.distributions[std::string(axis->name())] = [range = *axis->range](double share) {
+            return range.at(share);
+          };
     std::optional<std::uint64_t> jobs;
     if (sweep) jobs = count_jobs(*sweep, swept, options_.most_jobs, top_, mistakes_);
     mistakes_.throw_if_any();

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -93,6 +94,8 @@ struct Study {
   std::string title;
   mpm::SceneKind kind{};
   std::vector<std::string> swept;  ///< names of the swept quantities and choices, in file order
+  /// Of a sampled mode: the value of each swept quantity [SI] below which a share of its values lies.
+  std::map<std::string, std::function<double(double share)>> distributions;
   std::vector<std::vector<std::string>> together;  ///< of swept: those whose values go together
   std::vector<std::string> given;   ///< names of everything the file sets, swept or not; the rest is default
   std::vector<std::string> places;  ///< of given, where each is said: "studies/a.toml:12:16", "--set"

@@ -25,7 +25,7 @@ TEST_F(Usage, a_misspelt_verb_or_option_gets_the_nearest_one) {
   EXPECT_EQ(run({"rum", smoke}), 2);
   EXPECT_THAT(output, HasSubstr("rum: no verb of mpmstudy; did you mean run?"));
   EXPECT_EQ(run({"xyzzy"}), 2);
-  EXPECT_THAT(output, HasSubstr("verbs: check, plan, run, show, status, "));
+  EXPECT_THAT(output, HasSubstr("verbs: check, plan, run, show, predict, sensitivity, status, "));
   EXPECT_EQ(run({"run", smoke, "--retry-faild"}), 2);
   EXPECT_THAT(output, HasSubstr("--retry-faild: no option of mpmstudy run; did you mean --retry-failed?"));
   EXPECT_EQ(run({"run", smoke, "--result=x"}), 2);
