@@ -42,9 +42,10 @@ struct Sensitivity {
   std::vector<Estimate> first, total;  ///< Sobol indices of each input
   Estimate mean, deviation;            ///< of the result, its inputs drawn
 };
-/// Of surfaces drawn from the process [Marrel et al. 2009], each with a Sobol sequence of its own: intervals
-/// hold what the runs leave open and the error of the sums. `at`: the value of each input below which a share
-/// of it lies. The same on every machine but for rounding.
+/// Of surfaces drawn from the process [Marrel et al. 2009], each with a Sobol sequence of its own. Intervals
+/// hold what the runs leave open and the error of the sums, and are wider by the share of the variance that
+/// runs left out show to be unexplained (1 - Q2): whose it is, is not known. `at`: the value of each input
+/// below which a share of it lies. The same on every machine but for rounding.
 Sensitivity sensitivity_of(const analysis::GaussianProcess&,
                            const std::vector<std::function<double(double)>>& at);
 
