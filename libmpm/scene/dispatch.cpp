@@ -27,47 +27,45 @@ std::unique_ptr<BasicStepper<Space::axes>> reference_stepper(const Scene& s) {
                             });
 }
 
-template <class Real>
-std::unique_ptr<Stepper> fast_stepper_of(const Scene& s) {
-  using Fast = fast::FastStepper<Real>;
+template <class Real, int axes>
+std::unique_ptr<BasicStepper<axes>> fast_stepper_of(const Scene& s) {
+  using Fast = fast::FastStepper<Real, axes>;
   const bool gimp = s.numerics.scheme == ShapeFunction::gimp;
   return std::make_unique<Fast>(build_materials(s), gimp ? Fast::Shape::gimp : Fast::Shape::bspline2,
                                 s.space);
 }
 
 /// Every material, and what fast_step_has(); find_problems() refuses the rest.
-std::unique_ptr<Stepper> fast_stepper(const Scene& s) {
-  return s.numerics.precision == Precision::single_precision ? fast_stepper_of<float>(s)
-                                                             : fast_stepper_of<double>(s);
+template <int axes>
+std::unique_ptr<BasicStepper<axes>> fast_stepper(const Scene& s) {
+  return s.numerics.precision == Precision::single_precision ? fast_stepper_of<float, axes>(s)
+                                                             : fast_stepper_of<double, axes>(s);
 }
 
 }  // namespace
 
 bool fast_step_has(const Scene& s) {
   const Numerics& n = s.numerics;
-  return s.space != Space::three_d &&
-         (n.scheme == ShapeFunction::gimp || n.scheme == ShapeFunction::bspline2) &&
+  return (n.scheme == ShapeFunction::gimp || n.scheme == ShapeFunction::bspline2) &&
          n.transfer == Transfer::flip && n.pic_fraction == 0 && !s.composition.has_gravity() &&
          !has_contact(s);
 }
 
-template <>
-std::unique_ptr<Stepper> stepper_for<2>(const Scene& s) {
-  if (has_contact(s)) return contact_stepper<2>(s);
+template <int axes>
+std::unique_ptr<BasicStepper<axes>> stepper_for(const Scene& s) {
+  if (has_contact(s)) return contact_stepper<axes>(s);
   switch (s.numerics.kernel) {
     case Kernel::fast:
-      return fast_stepper(s);
+      return fast_stepper<axes>(s);
     case Kernel::reference:
-      return space::with_space(s.space, [&]<class Space>(Space) { return reference_stepper<Space>(s); });
+      return space::with_space<axes>(s.space,
+                                     [&]<class Space>(Space) { return reference_stepper<Space>(s); });
   }
   throw std::logic_error("a kernel that is not compiled");
 }
 
-template <>
-std::unique_ptr<BasicStepper<3>> stepper_for<3>(const Scene& s) {
-  if (has_contact(s)) return contact_stepper<3>(s);
-  return reference_stepper<space::ThreeD>(s);
-}
+template std::unique_ptr<BasicStepper<2>> stepper_for(const Scene&);
+template std::unique_ptr<BasicStepper<3>> stepper_for(const Scene&);
 
 template <int axes>
 BasicMeasurements<axes> measurements_for(const Scene& s, const BasicState<axes>& state) {

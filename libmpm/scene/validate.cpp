@@ -82,8 +82,7 @@ void check_numerics(const Scene& s, Report& report) {
     report.require(n.pic_fraction == 0, "pic_fraction", "0 with transfer = \"apic\"");
   if (n.kernel == Kernel::fast && !fast_step_has(s))
     report.add_choice("kernel",
-                      "\"reference\": the fast step has space = \"plane-strain\" and \"axisymmetric\", "
-                      "scheme = \"gimp\" and \"bspline2\", transfer = "
+                      "\"reference\": the fast step has scheme = \"gimp\" and \"bspline2\", transfer = "
                       "\"flip\", pic_fraction = 0, and neither gravity nor contact");
   if (s.space == Space::axisymmetric) {
     if (n.scheme != ShapeFunction::gimp && n.scheme != ShapeFunction::bspline2)
@@ -132,10 +131,11 @@ void check_size(const Scene& s, Report& report) {
   const double particles = width / h * (height / h) * slices * s.numerics.particles_per_cell;
   report.require(particles <= most_particles, "cell_size",
                  "large enough for at most 1e9 particles (these would be " + text_of(particles) + ")");
-  // The fast step keeps the number of a particle's node beside its position. Room for the block to double.
-  if (s.numerics.precision == Precision::single_precision)
-    report.require(width / h * (height / h) <= 0x1p23, "cell_size",
-                   "large enough for at most 2^23 cells when precision is \"float\"");
+  // The fast step counts the numbers of its nodes in 32 bits, up to 8 of a node. Room for the block to
+  // double.
+  if (s.numerics.kernel == Kernel::fast)
+    report.require(width / h * (height / h) * slices <= 1e8, "cell_size",
+                   "large enough for at most 1e8 cells when kernel is \"fast\"");
 }
 
 void check_length(const Scene& s, Report& report) {
@@ -153,10 +153,8 @@ void check_length(const Scene& s, Report& report) {
 Numerics default_numerics(SceneKind kind, Space space) {
   Numerics n;
   kind_of(kind).set_default_numerics(n);
-  if (space == Space::three_d) {
+  if (space == Space::three_d)
     n.particles_per_cell = static_cast<int>(std::lround(std::pow(n.particles_per_cell, 1.5)));
-    n.kernel = Kernel::reference;
-  }
   n.quadratic_viscosity = 1.5;
   n.cfl = 0.4;
   return n;

@@ -73,10 +73,13 @@ struct ThreeD {
   using Rotation = FullRotation<N>;
 };
 
-/// Calls `use` with the type of a space of two axes.
-template <class Use>
+/// Calls `use` with the type of a space of so many axes.
+template <int axes = 2, class Use>
 auto with_space(Space space, Use use) {
-  return space == Space::axisymmetric ? use(Axisymmetric{}) : use(PlaneStrain{});
+  if constexpr (axes == 3)
+    return use(ThreeD{});
+  else
+    return space == Space::axisymmetric ? use(Axisymmetric{}) : use(PlaneStrain{});
 }
 
 }  // namespace space

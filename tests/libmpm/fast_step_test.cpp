@@ -34,14 +34,15 @@ double difference(const Column& a, const Column& b, Value value) {
   return scale > 0 ? most / scale : most;
 }
 
-void expect_same(const mpm::Particles& a, const mpm::Particles& b, double tolerance) {
+template <int axes>
+void expect_same(const mpm::BasicParticles<axes>& a, const mpm::BasicParticles<axes>& b, double tolerance) {
   const auto same = [](double v) { return v; };
-  const auto x = [](const mpm::Vec2& v) { return v.x(); };
-  const auto y = [](const mpm::Vec2& v) { return v.y(); };
-  EXPECT_LT(difference(a.position, b.position, x), tolerance);
-  EXPECT_LT(difference(a.position, b.position, y), tolerance);
-  EXPECT_LT(difference(a.velocity, b.velocity, x), tolerance);
-  EXPECT_LT(difference(a.velocity, b.velocity, y), tolerance);
+  for (int axis = 0; axis < axes; ++axis) {
+    const auto of_axis = [&](const mpm::Vec<axes>& v) { return v[axis]; };
+    EXPECT_LT(difference(a.position, b.position, of_axis), tolerance);
+    EXPECT_LT(difference(a.velocity, b.velocity, of_axis), tolerance);
+    EXPECT_LT(difference(a.half_size, b.half_size, of_axis), tolerance);
+  }
   EXPECT_LT(difference(a.dilation, b.dilation, same), tolerance);
   EXPECT_LT(difference(a.energy, b.energy, same), tolerance);
   EXPECT_LT(difference(a.pressure, b.pressure, same), tolerance);
@@ -51,24 +52,29 @@ void expect_same(const mpm::Particles& a, const mpm::Particles& b, double tolera
     EXPECT_EQ(a.own[c].name, b.own[c].name);
     EXPECT_LT(difference(a.own[c].values, b.own[c].values, same), tolerance) << a.own[c].name;
   }
-  EXPECT_LT(difference(a.half_size, b.half_size, x), tolerance);
-  EXPECT_LT(difference(a.half_size, b.half_size, y), tolerance);
-  EXPECT_LT(difference(a.deviator, b.deviator, [](const mpm::PlaneTensor& t) { return t.xx; }), tolerance);
-  EXPECT_LT(difference(a.deviator, b.deviator, [](const mpm::PlaneTensor& t) { return t.zz; }), tolerance);
-  EXPECT_LT(difference(a.deviator, b.deviator, [](const mpm::PlaneTensor& t) { return t.xy; }), tolerance);
+  using Tensor = mpm::Tensor<axes>;
+  EXPECT_LT(difference(a.deviator, b.deviator, [](const Tensor& t) { return t.xx; }), tolerance);
+  EXPECT_LT(difference(a.deviator, b.deviator, [](const Tensor& t) { return t.zz; }), tolerance);
+  EXPECT_LT(difference(a.deviator, b.deviator, [](const Tensor& t) { return t.xy; }), tolerance);
+  if constexpr (axes == 3) {
+    EXPECT_LT(difference(a.deviator, b.deviator, [](const Tensor& t) { return t.xz; }), tolerance);
+    EXPECT_LT(difference(a.deviator, b.deviator, [](const Tensor& t) { return t.yz; }), tolerance);
+  }
 }
 
 bool is_gimp(const mpm::Scene& s) { return s.numerics.scheme == mpm::ShapeFunction::gimp; }
 
-template <class Real>
-FastStepper<Real> fast_stepper(const mpm::Scene& s, InstructionSet set = mpm::fast::best_instruction_set()) {
-  using Shape = typename FastStepper<Real>::Shape;
+template <class Real, int axes = 2>
+FastStepper<Real, axes> fast_stepper(const mpm::Scene& s,
+                                     InstructionSet set = mpm::fast::best_instruction_set()) {
+  using Shape = typename FastStepper<Real, axes>::Shape;
   return {mpm::build_material(s), is_gimp(s) ? Shape::gimp : Shape::bspline2, s.space, set};
 }
 
-mpm::StepReport reference(mpm::State& s, const mpm::Scene& scene, double dt) {
+template <int axes>
+mpm::BasicStepReport<axes> reference(mpm::BasicState<axes>& s, const mpm::Scene& scene, double dt) {
   const mpm::MaterialModel m = mpm::build_material(scene);
-  return mpm::space::with_space(scene.space, [&]<class Space>(Space) {
+  return mpm::space::with_space<axes>(scene.space, [&]<class Space>(Space) {
     return is_gimp(scene) ? mpm::reference_step<mpm::Gimp, mpm::Flip, Space>(s, m, dt)
                           : mpm::reference_step<mpm::BSpline2, mpm::Flip, Space>(s, m, dt);
   });
@@ -106,14 +112,22 @@ std::vector<mpm::Material> other_materials(const mpm::Material& like, double kin
 }
 
 /// Every combination that has a kernel of its own, and the tension that needs none.
+template <int axes = 2>
 std::vector<mpm::Scene> variants() {
   std::vector<mpm::Scene> all;
-  for (const auto space : {mpm::Space::plane_strain, mpm::Space::axisymmetric})
+  const std::vector<mpm::Space> spaces =
+      axes == 3 ? std::vector{mpm::Space::three_d}
+                : std::vector{mpm::Space::plane_strain, mpm::Space::axisymmetric};
+  for (const auto space : spaces)
     for (const auto scheme : {mpm::ShapeFunction::gimp, mpm::ShapeFunction::bspline2})
       for (const double kinematic : {-1.0, 0.0, 0.3})  // -1: elastic
         for (const auto tension : {mpm::Tension::polynomial, mpm::Tension::linear, mpm::Tension::cutoff}) {
           mpm::Scene s = scenes::cavity(0.2e-6);
           s.space = space;
+          if (axes == 3) {
+            s = scenes::in_space(space, scenes::cavity(0.5e-6));
+            s.block_width = 9e-6, s.block_height = 4.5e-6, s.cavity_center_height = 2.2e-6;
+          }
           s.numerics.scheme = scheme;
           if (kinematic < 0)
             s.material.yield_stress = std::numeric_limits<double>::infinity();
@@ -134,21 +148,24 @@ std::vector<mpm::Scene> variants() {
 
 /// A random state in eddies of ten cells: within 30 ps most blocks of the fast step have strays and are
 /// sorted.
-mpm::State eddies(const mpm::Scene& scene) {
-  mpm::State s = random_state(scene, 1.03e-6);
+template <int axes = 2>
+mpm::BasicState<axes> eddies(const mpm::Scene& scene) {
+  mpm::BasicState<axes> s = random_state<axes>(scene, 1.03e-6);
   for (std::size_t p = 0; p < s.particles.size(); ++p) {
-    const mpm::Vec2 angle = std::numbers::pi / 1e-6 * s.particles.position[p];
-    s.particles.velocity[p] += 3000 * mpm::Vec2(std::sin(angle.x()) * std::cos(angle.y()),
-                                                -std::cos(angle.x()) * std::sin(angle.y()));
+    const mpm::Vec<axes> angle = std::numbers::pi / (5 * scene.numerics.cell_size) * s.particles.position[p];
+    s.particles.velocity[p].x() += 3000 * std::sin(angle.x()) * std::cos(angle.y());
+    s.particles.velocity[p].y() -= 3000 * std::cos(angle.x()) * std::sin(angle.y());
+    if constexpr (axes == 3) s.particles.velocity[p].z() += 3000 * std::sin(angle.z()) * std::cos(angle.x());
   }
   return s;
 }
 
 /// Gives back what the reference reports.
-template <class Real>
-mpm::StepReport expect_same_step(FastStepper<Real>& fast, mpm::State& a, mpm::State& b,
-                                 const mpm::Scene& scene, double dt, double tolerance) {
-  const mpm::StepReport x = fast.step(a, dt), y = reference(b, scene, dt);
+template <class Real, int axes>
+mpm::BasicStepReport<axes> expect_same_step(FastStepper<Real, axes>& fast, mpm::BasicState<axes>& a,
+                                            mpm::BasicState<axes>& b, const mpm::Scene& scene, double dt,
+                                            double tolerance) {
+  const mpm::BasicStepReport<axes> x = fast.step(a, dt), y = reference(b, scene, dt);
   EXPECT_NEAR(x.largest_signal / y.largest_signal, 1, tolerance);
   EXPECT_NEAR(x.overpressed_mass, y.overpressed_mass, tolerance * y.overpressed_mass);
   EXPECT_EQ(x.overstrained_mass > 0, y.overstrained_mass > 0);
@@ -164,49 +181,53 @@ mpm::StepReport expect_same_step(FastStepper<Real>& fast, mpm::State& a, mpm::St
 
 std::string name_of(const mpm::Scene& scene) {
   std::ostringstream text;
-  text << "axisymmetric " << (scene.space == mpm::Space::axisymmetric) << ", gimp " << is_gimp(scene)
-       << ", kinematic " << scene.material.kinematic_fraction << ", law "
-       << static_cast<int>(scene.material.law) << ", eos " << static_cast<int>(scene.material.eos)
-       << ", strength " << static_cast<int>(scene.material.strength) << ", failure "
-       << scene.material.failure_strain << ", tension " << static_cast<int>(scene.material.tension);
+  text << "space " << static_cast<int>(scene.space) << ", gimp " << is_gimp(scene) << ", kinematic "
+       << scene.material.kinematic_fraction << ", law " << static_cast<int>(scene.material.law) << ", eos "
+       << static_cast<int>(scene.material.eos) << ", strength " << static_cast<int>(scene.material.strength)
+       << ", failure " << scene.material.failure_strain << ", tension "
+       << static_cast<int>(scene.material.tension);
   return text.str();
 }
 
-template <class Real>
+/// None puts the edge of a domain exactly on a node: there rounding decides whether the node is reached.
+double least_lift(const mpm::Scene& s) { return s.space == mpm::Space::plane_strain ? 0.0 : 0.01e-6; }
+
+template <class Real, int axes = 2>
 void expect_reference_on_random_states(double tolerance) {
-  for (const mpm::Scene& scene : variants())
-    // None puts the edge of a domain exactly on a node: there rounding decides whether the node is reached.
-    for (const double lift : {scene.space == mpm::Space::axisymmetric ? 0.01e-6 : 0.0, 0.13e-6, 1.03e-6}) {
+  for (const mpm::Scene& scene : variants<axes>())
+    for (const double lift : {least_lift(scene), 0.13e-6, 1.03e-6}) {
       SCOPED_TRACE(testing::Message() << name_of(scene) << ", lift " << lift);
-      mpm::State a = random_state(scene, lift), b = random_state(scene, lift);
-      FastStepper<Real> fast = fast_stepper<Real>(scene);
+      mpm::BasicState<axes> a = random_state<axes>(scene, lift), b = a;
+      FastStepper<Real, axes> fast = fast_stepper<Real, axes>(scene);
       for (int k = 0; k < 3; ++k)
-        EXPECT_GT(expect_same_step<Real>(fast, a, b, scene, (5 + k) * 1e-12, tolerance).overpressed_mass, 0);
+        EXPECT_GT(expect_same_step(fast, a, b, scene, (5 + k) * 5e-6 * scene.numerics.cell_size, tolerance)
+                      .overpressed_mass,
+                  0);
     }
 }
 
 /// Some particles expand beyond the range of the equation of state.
-template <class Real>
+template <class Real, int axes = 2>
 void expect_reference_on_what_has_expanded(double tolerance) {
-  for (const mpm::Scene& scene : variants()) {
+  for (const mpm::Scene& scene : variants<axes>()) {
     SCOPED_TRACE(name_of(scene));
-    mpm::State a = random_state(scene, 0), b = random_state(scene, 0);
+    mpm::BasicState<axes> a = random_state<axes>(scene, least_lift(scene)), b = a;
     for (std::size_t p = 0; p < a.particles.size(); p += 10)
       a.particles.dilation[p] = b.particles.dilation[p] = mpm::MieGrueneisen::most_dilation * (1 - 1e-5);
-    FastStepper<Real> fast = fast_stepper<Real>(scene);
-    for (int k = 0; k < 3; ++k) expect_same_step<Real>(fast, a, b, scene, (5 + k) * 1e-14, tolerance);
+    FastStepper<Real, axes> fast = fast_stepper<Real, axes>(scene);
+    for (int k = 0; k < 3; ++k) expect_same_step(fast, a, b, scene, (5 + k) * 1e-14, tolerance);
     const auto& dilation = b.particles.dilation;
     EXPECT_GT(std::count(dilation.begin(), dilation.end(), mpm::MieGrueneisen::most_dilation), 20);
   }
 }
 
-template <class Real>
+template <class Real, int axes = 2>
 void expect_reference_on_eddies(double tolerance) {
-  for (const mpm::Scene& scene : variants()) {
+  for (const mpm::Scene& scene : variants<axes>()) {
     SCOPED_TRACE(name_of(scene));
-    mpm::State a = eddies(scene), b = a;
-    FastStepper<Real> fast = fast_stepper<Real>(scene);
-    for (int k = 0; k < 5; ++k) expect_same_step<Real>(fast, a, b, scene, 1e-11, tolerance);
+    mpm::BasicState<axes> a = eddies<axes>(scene), b = a;
+    FastStepper<Real, axes> fast = fast_stepper<Real, axes>(scene);
+    for (int k = 0; k < 5; ++k) expect_same_step(fast, a, b, scene, 1e-11, tolerance);
   }
 }
 
@@ -219,6 +240,19 @@ TEST(FastStep, AgreesWithTheReferenceOnWhatHasExpandedTenfold) {
 TEST(FastStep, AgreesWithTheReferenceWhereParticlesStray) {
   expect_reference_on_eddies<double>(1e-12);
   expect_reference_on_eddies<float>(1e-4);
+}
+
+TEST(FastStep, OfThreeAxesAgreesWithTheReferenceOnRandomStates) {
+  expect_reference_on_random_states<double, 3>(1e-12);
+  expect_reference_on_random_states<float, 3>(1e-4);
+}
+TEST(FastStep, OfThreeAxesAgreesWithTheReferenceOnWhatHasExpandedTenfold) {
+  expect_reference_on_what_has_expanded<double, 3>(1e-12);
+  expect_reference_on_what_has_expanded<float, 3>(1e-4);
+}
+TEST(FastStep, OfThreeAxesAgreesWithTheReferenceWhereParticlesStray) {
+  expect_reference_on_eddies<double, 3>(1e-12);
+  expect_reference_on_eddies<float, 3>(1e-4);
 }
 
 /// Layers of three materials, whose columns differ: aluminium, copper with a back stress, a neo-Hookean
@@ -284,28 +318,33 @@ TEST(FastStep, AgreesWithTheReferenceWithSeveralMaterials) {
   expect_reference_with_several_materials<float>(1e-4);
 }
 
-TEST(FastStep, KeepsEnergyToRounding) {
-  for (const mpm::Scene& scene : variants()) {
-    mpm::State s = random_state(scene, 0);
+template <int axes>
+void expect_energy_to_rounding() {
+  for (const mpm::Scene& scene : variants<axes>()) {
+    mpm::BasicState<axes> s = random_state<axes>(scene, 0);
     const mpm::Energy before = mpm::energy_of(s.particles);
-    FastDouble fast = fast_stepper<double>(scene);
+    FastStepper<double, axes> fast = fast_stepper<double, axes>(scene);
     for (int k = 0; k < 4; ++k) fast.step(s, 2e-12);
     fast.refresh_particles(s);
     EXPECT_NEAR((mpm::energy_of(s.particles).total() - before.total()) / before.kinetic, 0, 1e-13);
   }
 }
+TEST(FastStep, KeepsEnergyToRounding) {
+  expect_energy_to_rounding<2>();
+  expect_energy_to_rounding<3>();
+}
 
 /// The AVX2 kernels round a*b + c once, the others twice; nothing else may differ. On the wall, and in
 /// eddies, with five sorts.
-TEST(FastStep, InstructionSetsDifferByRoundingOnly) {
-  if (!mpm::fast::supported(InstructionSet::avx2)) GTEST_SKIP() << "this processor has no AVX2";
-  for (const mpm::Scene& scene : variants())
-    for (mpm::State a : {random_state(scene, 0), eddies(scene)}) {
-      mpm::State b = a;
-      FastDouble narrow = fast_stepper<double>(scene, InstructionSet::baseline);
-      FastDouble wide = fast_stepper<double>(scene, InstructionSet::avx2);
+template <int axes>
+void expect_rounding_between_instruction_sets() {
+  for (const mpm::Scene& scene : variants<axes>())
+    for (mpm::BasicState<axes> a : {random_state<axes>(scene, 0), eddies<axes>(scene)}) {
+      mpm::BasicState<axes> b = a;
+      auto narrow = fast_stepper<double, axes>(scene, InstructionSet::baseline);
+      auto wide = fast_stepper<double, axes>(scene, InstructionSet::avx2);
       for (int k = 0; k < 60; ++k) {
-        const mpm::StepReport x = narrow.step(a, 1e-12), y = wide.step(b, 1e-12);
+        const auto x = narrow.step(a, 1e-12), y = wide.step(b, 1e-12);
         ASSERT_NEAR(x.largest_signal / y.largest_signal, 1, 1e-11);
         ASSERT_NEAR(x.transfer_heat / y.transfer_heat, 1, 1e-11);
       }
@@ -313,6 +352,11 @@ TEST(FastStep, InstructionSetsDifferByRoundingOnly) {
       wide.refresh_particles(b);
       expect_same(a.particles, b.particles, 1e-11);
     }
+}
+TEST(FastStep, InstructionSetsDifferByRoundingOnly) {
+  if (!mpm::fast::supported(InstructionSet::avx2)) GTEST_SKIP() << "this processor has no AVX2";
+  expect_rounding_between_instruction_sets<2>();
+  expect_rounding_between_instruction_sets<3>();
 }
 
 /// Single particles and rows of nodes come out as the whole does.

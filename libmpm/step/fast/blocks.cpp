@@ -7,76 +7,102 @@
 
 namespace mpm::fast {
 
-template <class Real>
-Blocks<Real>::Blocks(Particles& ps, Particles::Range range, std::span<const StateColumn> own_columns,
-                     const Grid& grid, const Layout& layout, double rho0, int stride)
-    : layout_(layout), range_(range), own_(own_columns), columns_(layout.columns()), stride_(stride) {
+namespace {
+
+/// The numbers that a deviator is kept in, as in load() of core/symmetric.hpp.
+void read(const PlaneTensor& t, double* to) { to[0] = t.xx, to[1] = t.yy, to[2] = t.xy; }
+void read(const FullTensor& t, double* to) {
+  to[0] = t.xx, to[1] = t.yy, to[2] = t.xy, to[3] = t.xz, to[4] = t.yz;
+}
+void write(const double* from, PlaneTensor& t) { t = {from[0], from[1], -(from[0] + from[1]), from[2]}; }
+void write(const double* from, FullTensor& t) {
+  t = {from[0], from[1], -(from[0] + from[1]), from[2], from[3], from[4]};
+}
+
+}  // namespace
+
+template <class Real, int axes>
+Blocks<Real, axes>::Blocks(Particles& ps, typename Particles::Range range,
+                           std::span<const StateColumn> own_columns, const Grid& grid, const Layout& layout,
+                           double rho0, const Nodes<Real, axes>& nodes)
+    : layout_(layout),
+      range_(range),
+      own_(own_columns),
+      columns_(layout.columns()),
+      stride_(nodes.stride),
+      to_row_(nodes.to_row) {
   const std::size_t count = range.last - range.first, slots = (count + width - 1) / width * width;
   values_ = AlignedArray<Real>(slots * static_cast<std::size_t>(columns_));
   ids_.assign(slots, nobody);
   std::iota(ids_.begin(), ids_.begin() + static_cast<std::ptrdiff_t>(count),
             static_cast<std::uint32_t>(range.first));
   const OwnNumbers own_numbers(ps, own_columns);
-  const Vec2& inverse = grid.inverse_cell();
+  const Vec<axes>& inverse = grid.inverse_cell();
   const bool radial = layout.space == Space::axisymmetric;
-  const double per_unit = inverse.x() * inverse.y() / rho0 * (radial ? inverse.x() : 1);  // 1 / unit_mass()
+  const double per_unit = inverse.prod() / rho0 * (radial ? inverse.x() : 1);  // 1 / unit_mass()
   for (std::size_t s = 0; s < count; ++s) {
     const std::size_t p = range.first + s;
-    const Vec2 xi = (ps.position[p] - grid.origin()).cwiseProduct(inverse);
-    const Vec2 nearest(std::floor(xi.x() + 0.5), std::floor(xi.y() + 0.5));
+    const Vec<axes> xi = (ps.position[p] - grid.origin()).cwiseProduct(inverse);
+    const Vec<axes> nearest = (xi.array() + 0.5).floor();
     const auto set = [&](int column, double value) { at(s, column) = static_cast<Real>(value); };
-    set(node, nearest.y() * stride + nearest.x());
-    set(position_x, xi.x() - nearest.x());
-    set(position_y, xi.y() - nearest.y());
-    set(velocity_x, ps.velocity[p].x());
-    set(velocity_y, ps.velocity[p].y());
-    set(initial_volume, ps.mass[p] * per_unit);
-    set(dilation, ps.dilation[p]);
-    set(energy, ps.energy[p]);
-    set(pressure, ps.pressure[p]);
-    set(viscous_pressure, ps.viscous_pressure[p]);
-    set(deviator_xx, ps.deviator[p].xx);
-    set(deviator_yy, ps.deviator[p].yy);
-    set(deviator_xy, ps.deviator[p].xy);
+    int number = static_cast<int>(nearest.y()) * to_row_ + static_cast<int>(nearest.x());
+    if constexpr (axes == 3) number += static_cast<int>(nearest.z()) * stride_;
+    at(s, C::node) = real_of(static_cast<std::size_t>(number));
+    for (int a = 0; a < axes; ++a) {
+      set(C::position + a, xi[a] - nearest[a]);
+      set(C::velocity + a, ps.velocity[p][a]);
+    }
+    set(C::initial_volume, ps.mass[p] * per_unit);
+    set(C::dilation, ps.dilation[p]);
+    set(C::energy, ps.energy[p]);
+    set(C::pressure, ps.pressure[p]);
+    set(C::viscous_pressure, ps.viscous_pressure[p]);
+    double deviator[C::common - C::deviator];
+    read(ps.deviator[p], deviator);
+    for (int c = C::deviator; c < C::common; ++c) set(c, deviator[c - C::deviator]);
     for (int axis = 0; axis < layout.half_sizes(); ++axis)
       set(layout.half_size() + axis, ps.half_size[p][axis] * inverse[axis]);
-    double own[most_own_numbers<Real, 2>];
+    double own[most_own_numbers<Real, axes>];
     own_numbers.read(p, own);
     for (int c = 0; c < layout.own_columns; ++c) set(layout.own() + c, own[c]);
   }
 }
 
-template <class Real>
-void Blocks<Real>::write(std::size_t s, const Grid& grid, Particles& ps,
-                         const OwnNumbers& own_numbers) const {
+template <class Real, int axes>
+void Blocks<Real, axes>::write(std::size_t s, const Grid& grid, Particles& ps,
+                               const OwnNumbers& own_numbers) const {
   const std::size_t p = ids_[s];
   const auto get = [&](int column) { return static_cast<double>(at(s, column)); };
-  const int n = static_cast<int>(at(s, node));
-  const Vec2 xi(n % stride_ + get(position_x), n / stride_ + get(position_y));
+  const int n = static_cast<int>(node_of(s)), in_row = n % to_row_;
+  Vec<axes> xi;
+  xi[0] = in_row % stride_ + get(C::position);
+  xi[1] = n / to_row_ + get(C::position + 1);
+  if constexpr (axes == 3) xi[2] = in_row / stride_ + get(C::position + 2);
   ps.position[p] = grid.origin() + xi.cwiseProduct(grid.cell());
-  ps.velocity[p] = Vec2(get(velocity_x), get(velocity_y));
-  ps.dilation[p] = get(dilation);
-  ps.energy[p] = get(energy);
-  ps.pressure[p] = get(pressure);
-  ps.viscous_pressure[p] = get(viscous_pressure);
-  const double xx = get(deviator_xx), yy = get(deviator_yy);
-  ps.deviator[p] = {xx, yy, -(xx + yy), get(deviator_xy)};
+  for (int a = 0; a < axes; ++a) ps.velocity[p][a] = get(C::velocity + a);
+  ps.dilation[p] = get(C::dilation);
+  ps.energy[p] = get(C::energy);
+  ps.pressure[p] = get(C::pressure);
+  ps.viscous_pressure[p] = get(C::viscous_pressure);
+  double deviator[C::common - C::deviator];
+  for (int c = C::deviator; c < C::common; ++c) deviator[c - C::deviator] = get(c);
+  fast::write(deviator, ps.deviator[p]);
   for (int axis = 0; axis < layout_.half_sizes(); ++axis)
     ps.half_size[p][axis] = get(layout_.half_size() + axis) * grid.cell()[axis];
-  double own[most_own_numbers<Real, 2>];
+  double own[most_own_numbers<Real, axes>];
   for (int c = 0; c < layout_.own_columns; ++c) own[c] = get(layout_.own() + c);
   own_numbers.write(p, own);
 }
 
-template <class Real>
-void Blocks<Real>::copy_to(Particles& ps, const Grid& grid) const {
+template <class Real, int axes>
+void Blocks<Real, axes>::copy_to(Particles& ps, const Grid& grid) const {
   const OwnNumbers own_numbers(ps, own_);
   for (std::size_t s = 0; s < ids_.size(); ++s)
     if (ids_[s] != nobody) write(s, grid, ps, own_numbers);
 }
 
-template <class Real>
-void Blocks<Real>::copy_to(Particles& ps, const Grid& grid, std::span<const std::size_t> which) {
+template <class Real, int axes>
+void Blocks<Real, axes>::copy_to(Particles& ps, const Grid& grid, std::span<const std::size_t> which) {
   if (which.empty()) return;
   if (slots_.empty()) {
     slots_.resize(range_.last - range_.first);
@@ -88,14 +114,14 @@ void Blocks<Real>::copy_to(Particles& ps, const Grid& grid, std::span<const std:
     if (p >= range_.first && p < range_.last) write(slots_[p - range_.first], grid, ps, own_numbers);
 }
 
-template <class Real>
-std::size_t Blocks<Real>::memory() const {
+template <class Real, int axes>
+std::size_t Blocks<Real, axes>::memory() const {
   return values_.size() * sizeof(Real) + (ids_.capacity() + slots_.capacity()) * sizeof(std::uint32_t) +
          bands_.capacity() * sizeof(Range) + sort_memory_;
 }
 
-template <class Real>
-void Blocks<Real>::carry(Archive& a) {
+template <class Real, int axes>
+void Blocks<Real, axes>::carry(Archive& a) {
   mpm::fast::carry(values_, count() * block_size(), "values", a);
   a.integers("ids", ids_), a.integer("loose", loose_);
   std::vector<std::size_t> ranges;
@@ -111,7 +137,9 @@ void Blocks<Real>::carry(Archive& a) {
   slots_ = {};
 }
 
-template class Blocks<double>;
-template class Blocks<float>;
+template class Blocks<double, 2>;
+template class Blocks<float, 2>;
+template class Blocks<double, 3>;
+template class Blocks<float, 3>;
 
 }  // namespace mpm::fast

@@ -22,14 +22,16 @@ namespace mpm::fast {
 ///   materials of a scene are taken one after the other.
 /// Results agree with the reference step to rounding.
 /// state.particles is read in the first step and not afterwards: to change particles, make a new stepper.
-template <class Real>
-class FastStepper : public Stepper {
+template <class Real, int axes = 2>
+class FastStepper : public BasicStepper<axes> {
  public:
+  using State = BasicState<axes>;
   enum class Shape { bspline2, gimp };
-  FastStepper(const MaterialModels&, Shape, Space = Space::plane_strain,
+  /// The space must have so many axes.
+  FastStepper(const MaterialModels&, Shape, Space = axes == 3 ? Space::three_d : Space::plane_strain,
               InstructionSet = best_instruction_set());
 
-  StepReport step(State&, double dt) override;
+  BasicStepReport<axes> step(State&, double dt) override;
   void refresh_particles(State&) override;
   void refresh_particles(State&, std::span<const std::size_t> which) override;
   void refresh_nodes(State&, int first_row, int last_row) override;
@@ -40,30 +42,31 @@ class FastStepper : public Stepper {
   double helper_seconds() const override { return team_.helper_seconds(); }
 
  private:
+  using Blocks = fast::Blocks<Real, axes>;
   /// The particles of one material, with its model and its kernels.
   struct Stock {
     Layout layout{};
     double density = 0;                  ///< rho0 [kg/m^3]
     std::span<const StateColumn> own{};  ///< of the model
-    Kernels<Real> kernels{};
+    Kernels<Real, axes> kernels{};
     alignas(16) std::array<std::byte, 320> model{};  ///< of material/list.hpp, for the kernels
-    Constants<Real> constants{};
-    std::optional<Blocks<Real>> blocks{};
+    Constants<Real, axes> constants{};
+    std::optional<Blocks> blocks{};
   };
 
   void begin(State&);
-  Band<Real> band(Stock&, const typename Blocks<Real>::Range&);
+  Band<Real> band(Stock&, const typename Blocks::Range&);
   SweepReport sweep(double dt);
   void sweep(Stock&, double dt, SweepReport& sums);
   std::size_t blocks() const;  ///< of all stocks
   /// Returns whether a body has reached an open face.
   bool move(Floor, const OpenSides&, double dt);
-  void use(double lowest_node, double highest_node);
+  void use(std::int64_t lowest_node, std::int64_t highest_node);
 
   Space space_;
   double density_;             ///< of unit_mass(): that of the first material [kg/m^3]
   std::vector<Stock> stocks_;  ///< one for each material
-  std::optional<NodeGrid<Real>> grid_;
+  std::optional<NodeGrid<Real, axes>> grid_;
   int first_row_ = 0, last_row_ = -1;      ///< of the nodes that the particles reach
   int moved_first_ = 0, moved_last_ = -1;  ///< of the nodes that moved in the last step
   std::int64_t out_of_step_ = 0;  ///< blocks that fell out of step, summed over the steps since the last sort

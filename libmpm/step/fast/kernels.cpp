@@ -4,16 +4,16 @@
 
 namespace mpm::fast {
 namespace baseline {
-template <class Real>
-Transfers<Real> transfers(bool gimp, Space);
-template <class Real>
-StressUpdate<Real> stress_update(std::size_t model, Space);
+template <class Real, int axes>
+Transfers<Real, axes> transfers(bool gimp, Space);
+template <class Real, int axes>
+StressUpdate<Real, axes> stress_update(std::size_t model, Space);
 }  // namespace baseline
 namespace avx2 {
-template <class Real>
-Transfers<Real> transfers(bool gimp, Space);
-template <class Real>
-StressUpdate<Real> stress_update(std::size_t model, Space);
+template <class Real, int axes>
+Transfers<Real, axes> transfers(bool gimp, Space);
+template <class Real, int axes>
+StressUpdate<Real, axes> stress_update(std::size_t model, Space);
 }  // namespace avx2
 
 bool supported(InstructionSet set) {
@@ -34,17 +34,19 @@ InstructionSet best_instruction_set() {
   return supported(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
 }
 
-template <class Real>
-Kernels<Real> kernels_for(bool gimp, Space space, std::size_t model, InstructionSet set) {
+template <class Real, int axes>
+Kernels<Real, axes> kernels_for(bool gimp, Space space, std::size_t model, InstructionSet set) {
   if (!supported(set)) throw std::logic_error("this processor lacks the instruction set");
 #if defined(MPM_KERNELS_AVX2)
   if (set == InstructionSet::avx2)
-    return {avx2::transfers<Real>(gimp, space), avx2::stress_update<Real>(model, space)};
+    return {avx2::transfers<Real, axes>(gimp, space), avx2::stress_update<Real, axes>(model, space)};
 #endif
-  return {baseline::transfers<Real>(gimp, space), baseline::stress_update<Real>(model, space)};
+  return {baseline::transfers<Real, axes>(gimp, space), baseline::stress_update<Real, axes>(model, space)};
 }
 
-template Kernels<double> kernels_for(bool, Space, std::size_t, InstructionSet);
-template Kernels<float> kernels_for(bool, Space, std::size_t, InstructionSet);
+template Kernels<double, 2> kernels_for(bool, Space, std::size_t, InstructionSet);
+template Kernels<float, 2> kernels_for(bool, Space, std::size_t, InstructionSet);
+template Kernels<double, 3> kernels_for(bool, Space, std::size_t, InstructionSet);
+template Kernels<float, 3> kernels_for(bool, Space, std::size_t, InstructionSet);
 
 }  // namespace mpm::fast

@@ -27,9 +27,11 @@ struct Lanes;
 template <>
 struct Lanes<double> {
   typedef double Pack __attribute__((vector_size(32)));
-  using Mask = decltype(Pack{} < Pack{});  // of whole numbers; compilers differ in which of 64 bits
+  /// Whole numbers of the same size: what comparisons give, and numbers of nodes. Compilers differ in which
+  /// type of 64 bits.
+  using Mask = decltype(Pack{} < Pack{});
   static constexpr int width = 4;
-  static constexpr Pack numbers = {0, 1, 2, 3};
+  static constexpr Mask numbers = {0, 1, 2, 3};
   static constexpr double round_to_whole = 0x1.8p52;  ///< a + this - this is a whole number
 };
 
@@ -38,7 +40,7 @@ struct Lanes<float> {
   typedef float Pack __attribute__((vector_size(32)));
   using Mask = decltype(Pack{} < Pack{});
   static constexpr int width = 8;
-  static constexpr Pack numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+  static constexpr Mask numbers = {0, 1, 2, 3, 4, 5, 6, 7};
   static constexpr float round_to_whole = 0x1.8p23F;
 };
 
@@ -53,6 +55,12 @@ using PackF = Pack<float>;
 template <class Real>
 MPM_INLINE Pack<Real> all(Real v) {
   return v - Pack<Real>{};  // a broadcast; exact
+}
+
+/// The same for whole numbers.
+template <class Real>
+MPM_INLINE Mask<Real> all_whole(std::int32_t v) {
+  return v - Mask<Real>{};
 }
 
 #if defined(__AVX__)
@@ -99,10 +107,33 @@ template <class Real>
 MPM_INLINE Pack<Real> where(Mask<Real> mask, Pack<Real> a) {
   return (Pack<Real>)((Mask<Real>)a & mask);
 }
+/// a.a
+template <int axes, class P>
+MPM_INLINE P square_of(const P* a) {
+  P sum = a[0] * a[0];
+#pragma GCC unroll 3
+  for (int k = 1; k < axes; ++k) sum = sum + a[k] * a[k];
+  return sum;
+}
 /// The nearest whole numbers. |a| < 2^22.
 template <class Real>
 MPM_INLINE Pack<Real> rounded(Pack<Real> a) {
   return (a + Lanes<Real>::round_to_whole) - Lanes<Real>::round_to_whole;
+}
+
+/// Whole numbers 0 ... 2^31 as reals, and back, where one beside the nearest will do.
+template <class Real>
+MPM_INLINE Pack<Real> real_of(Mask<Real> a) {
+  if constexpr (sizeof(Real) == 4) return __builtin_convertvector(a, Pack<Real>);
+  // 2^52 + a, whose last bits are those of a
+  constexpr double two_to_52 = 0x1p52;
+  return (Pack<Real>)(a | (Mask<Real>)all<Real>(two_to_52)) - two_to_52;
+}
+template <class Real>
+MPM_INLINE Mask<Real> whole_of(Pack<Real> a) {
+  if constexpr (sizeof(Real) == 4) return __builtin_convertvector(a, Mask<Real>);
+  constexpr double two_to_52 = 0x1p52;
+  return (Mask<Real>)(a + two_to_52) ^ (Mask<Real>)all<Real>(two_to_52);
 }
 
 /// Lane l is from[at[l]].

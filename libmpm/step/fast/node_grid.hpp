@@ -1,5 +1,6 @@
 #pragma once
 #include "libmpm/boundary/mirror.hpp"
+#include "libmpm/boundary/walls.hpp"
 #include "libmpm/core/grid.hpp"
 #include "libmpm/step/fast/aligned_array.hpp"
 #include "libmpm/step/fast/kernels.hpp"
@@ -7,14 +8,19 @@
 namespace mpm::fast {
 
 /// The nodes: their motion in this step, and what the particles give them for the next.
-template <class Real>
+template <class Real, int axes>
 class NodeGrid {
  public:
-  explicit NodeGrid(int columns);
+  using Nodes = fast::Nodes<Real, axes>;
+  using Grid = BasicGrid<axes>;
 
-  const Nodes<Real>& nodes() const { return nodes_; }
+  /// For the columns, and of three axes the slices, of the grid.
+  explicit NodeGrid(const Grid&);
 
-  /// Makes room for stencils that start in this row, and for what a step may climb.
+  const Nodes& nodes() const { return nodes_; }
+
+  /// Makes room for stencils that start in this row, and for what a step may climb. Throws InputError where
+  /// nodes have numbers that the kernels cannot count.
   void reach(int row);
 
   /// Side walls as mirrors (boundary/mirror.hpp), before momentum and force become motion.
@@ -32,17 +38,22 @@ class NodeGrid {
   std::size_t memory() const;  ///< [bytes]
 
  private:
+  using M = Motion<axes>;
   void resize(int rows);
-  Real& at(Motion component, int i, int j) {
-    return nodes_.motion[Nodes<Real>::motion_at(number(i, j), component)];
+  Real& at(int component, int i, int j, int k = -1) {
+    return nodes_.motion[Nodes::motion_at(number(i, j, k), component)];
   }
-  std::ptrdiff_t number(int i, int j) const {
-    return static_cast<std::ptrdiff_t>(j + 1) * nodes_.stride + (i + 1);
-  }
-  struct WallNodes;
+  /// Of two axes k = -1.
+  std::ptrdiff_t number(int i, int j, int k) const { return nodes_.to_line(j + 1, k + 1) + (i + 1); }
+  walls::WallNode<Real, axes> wall_node(int i, int j, int k);
+  struct Slice;
+  struct Column;
+  /// Calls use(Slice) for every slice, the ghosts too; of two axes for the only one.
+  template <class Use>
+  void each_slice(Use use);
 
   AlignedArray<Real> motion_, sums_;
-  Nodes<Real> nodes_{};
+  Nodes nodes_{};
 };
 
 }  // namespace mpm::fast

@@ -5,15 +5,15 @@
 namespace mpm::fast {
 namespace {
 
-/// Blocks of a row of cells are filled in step where so many lanes or more have a particle. A block out of
+/// Blocks of a line of cells are filled in step where so many lanes or more have a particle. A block out of
 /// step costs more, one with empty lanes does less: 3 is best with eight lanes, and with four no other number
 /// is better (PERFORMANCE.md, "Sorting").
 constexpr int least_lanes = 3;
 
 }  // namespace
 
-template <class Real>
-void Blocks<Real>::sort(int rows) {
+template <class Real, int axes>
+void Blocks<Real, axes>::sort(int rows) {
   const std::vector<std::uint32_t> from = order(rows);
   sort_memory_ = from.size() * sizeof(from[0]);
   permute(from);
@@ -21,10 +21,11 @@ void Blocks<Real>::sort(int rows) {
 }
 
 /// The slot from which each slot is filled, or nobody. Stable: particles of a cell keep their order.
-template <class Real>
-std::vector<std::uint32_t> Blocks<Real>::order(int rows) {
-  const std::size_t stride = static_cast<std::size_t>(stride_),
-                    nodes = stride * static_cast<std::size_t>(rows);
+template <class Real, int axes>
+std::vector<std::uint32_t> Blocks<Real, axes>::order(int rows) {
+  const auto stride = static_cast<std::size_t>(stride_),
+             lines_of_row = static_cast<std::size_t>(to_row_) / stride;
+  const std::size_t lines = lines_of_row * static_cast<std::size_t>(rows), nodes = stride * lines;
   std::vector<std::uint32_t> particles(nodes, 0);
   for (std::size_t s = 0; s < ids_.size(); ++s)
     if (ids_[s] != nobody) ++particles[node_of(s)];
@@ -33,14 +34,14 @@ std::vector<std::uint32_t> Blocks<Real>::order(int rows) {
     std::uint32_t first, depth;  // slot, blocks
   };
   std::vector<Group> groups(nodes / width);
-  std::vector<std::uint32_t> loose_slot(static_cast<std::size_t>(rows));
+  std::vector<std::uint32_t> loose_slot(lines);
   bands_.clear();
   loose_ = 0;
   std::uint32_t slot = 0;
   Range band{0, 0, 0, -1};
-  for (std::size_t row = 0, g = 0; row < static_cast<std::size_t>(rows); ++row) {
+  for (std::size_t line = 0, g = 0; line < lines; ++line) {
     std::uint32_t loose = 0;
-    for (; g < (row + 1) * stride / width; ++g) {
+    for (; g < (line + 1) * stride / width; ++g) {
       const std::uint32_t* const in_cell = &particles[g * width];
       const auto lanes = [&](std::uint32_t depth) {
         return std::count_if(in_cell, in_cell + width, [=](std::uint32_t n) { return n > depth; });
@@ -50,17 +51,17 @@ std::vector<std::uint32_t> Blocks<Real>::order(int rows) {
       slot += groups[g].depth * width;
       for (int l = 0; l < width; ++l) loose += in_cell[l] - std::min(in_cell[l], groups[g].depth);
     }
-    loose_slot[row] = slot;
+    loose_slot[line] = slot;
     const std::uint32_t loose_blocks = (loose + width - 1) / width;
     slot += loose_blocks * width;
     loose_ += loose_blocks;
-    const int rows_left = rows - 1 - static_cast<int>(row);
-    if ((static_cast<int>(row) - band.first_row + 1 >= band_rows && rows_left >= band_rows) ||
-        rows_left == 0) {
+    if ((line + 1) % lines_of_row != 0) continue;
+    const int row = static_cast<int>(line / lines_of_row), rows_left = rows - 1 - row;
+    if ((row - band.first_row + 1 >= band_rows && rows_left >= band_rows) || rows_left == 0) {
       band.count = slot / width - band.first;
-      band.last_row = static_cast<int>(row);
+      band.last_row = row;
       if (band.count > 0) bands_.push_back(band);
-      band = {slot / width, 0, static_cast<int>(row) + 1, -1};
+      band = {slot / width, 0, row + 1, -1};
     }
   }
 
@@ -81,8 +82,8 @@ std::vector<std::uint32_t> Blocks<Real>::order(int rows) {
 
 /// Slot s receives what was in slot from[s]. In place: particles move little between two sorts, so it is
 /// enough to remember the last few blocks that were overwritten.
-template <class Real>
-void Blocks<Real>::permute(std::span<const std::uint32_t> from) {
+template <class Real, int axes>
+void Blocks<Real, axes>::permute(std::span<const std::uint32_t> from) {
   const std::size_t old_blocks = count(), new_blocks = from.size() / width, size = block_size();
   std::size_t remembered = 1;
   for (std::size_t s = 0; s < from.size(); ++s)
@@ -135,8 +136,8 @@ void Blocks<Real>::permute(std::span<const std::uint32_t> from) {
 }
 
 /// Lanes without a particle are at rest and unstressed, and in step with the others if those are.
-template <class Real>
-void Blocks<Real>::fill_empty_lanes(std::size_t b) {
+template <class Real, int axes>
+void Blocks<Real, axes>::fill_empty_lanes(std::size_t b) {
   Real* const values = block(b);
   const std::uint32_t* const ids = &ids_[b * width];
   const int present =
@@ -144,13 +145,16 @@ void Blocks<Real>::fill_empty_lanes(std::size_t b) {
   for (int l = 0; l < width; ++l) {
     if (ids[l] != nobody) continue;
     for (int c = 0; c < columns_; ++c) values[c * width + l] = 0;
-    values[node * width + l] = values[node * width + present] + static_cast<Real>(l - present);
+    values[C::node * width + l] = real_of(node_of(b * width + static_cast<std::size_t>(present)) +
+                                          static_cast<std::size_t>(l) - static_cast<std::size_t>(present));
     if (layout_.gimp)
-      values[layout_.half_size() * width + l] = values[(layout_.half_size() + 1) * width + l] = Real(0.5);
+      for (int a = 0; a < axes; ++a) values[(layout_.half_size() + a) * width + l] = Real(0.5);
   }
 }
 
-template class Blocks<double>;
-template class Blocks<float>;
+template class Blocks<double, 2>;
+template class Blocks<float, 2>;
+template class Blocks<double, 3>;
+template class Blocks<float, 3>;
 
 }  // namespace mpm::fast

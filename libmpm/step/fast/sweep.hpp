@@ -10,142 +10,183 @@ namespace mpm::fast::MPM_ISA {
 template <class Real, bool gimp, class Space>
 struct Sweep {
   using P = Pack<Real>;
-  static constexpr int width = Lanes<Real>::width;
-  static constexpr int half_size = Layout::half_size();
+  static constexpr int width = Lanes<Real>::width, axes = Space::axes;
   static constexpr bool has_hoop = Space::has_hoop;
-  static constexpr int sure_columns = Layout{gimp, Space::value, 0}.own();
-  using Weights = PackWeights<Real, has_hoop>;
+  static constexpr Layout layout{gimp, Space::value, 0};
+  static constexpr int half_size = layout.half_size(), sure_columns = layout.own();
+  using C = Columns<axes>;
+  using M = Motion<axes>;
+  using Weights = PackWeights<Real, Space>;
+  using Nodes = fast::Nodes<Real, axes>;
+  using Constants = fast::Constants<Real, axes>;
 
   struct Chunk {
     Weights weights[chunk_blocks];
     Place<Real> place[chunk_blocks];
   };
 
+  static MPM_INLINE Mask<Real> node_of(const P* f) { return (Mask<Real>)f[C::node]; }
+
   static MPM_INLINE void weigh(const P* f, Weights& w) {
-    if constexpr (gimp) {
-      gimp_axis<Real>(f[position_x], f[half_size], w.x, w.slope_x);
-      gimp_axis<Real>(f[position_y], f[half_size + 1], w.y, w.slope_y);
-    } else {
-      bspline2_axis<Real>(f[position_x], w.x, w.slope_x);
-      bspline2_axis<Real>(f[position_y], w.y, w.slope_y);
-    }
-    if constexpr (has_hoop && gimp) gimp_hoop<Real>(f[position_x], f[half_size], w.hoop);
-    if constexpr (has_hoop && !gimp) bspline2_hoop<Real>(f[position_x], w.x, f[half_size], w.hoop);
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a)
+      if constexpr (gimp)
+        gimp_axis<Real>(f[C::position + a], f[half_size + a], w.value[a], w.slope[a]);
+      else
+        bspline2_axis<Real>(f[C::position + a], w.value[a], w.slope[a]);
+    if constexpr (has_hoop && gimp) gimp_hoop<Real>(f[C::position], f[half_size], w.hoop);
+    if constexpr (has_hoop && !gimp) bspline2_hoop<Real>(f[C::position], w.value[0], f[half_size], w.hoop);
   }
 
   /// 1 / r [1/cells]. Lanes without a particle may lie on the axis.
-  static MPM_INLINE P inverse_radius(const P* f, const Nodes<Real>& nodes) {
-    const P stride = all(static_cast<Real>(nodes.stride)), inverse = 1 / stride;
-    P column = f[node] - stride * rounded<Real>((f[node] + Real(0.5)) * inverse - Real(0.5));
-    // where rounding has put a node at the end of a row into the next one
+  static MPM_INLINE P inverse_radius(const P* f, const Nodes& nodes) {
+    // the row by a division that may be off by one, the column without rounding
+    const Mask<Real> stride = all_whole<Real>(nodes.stride), number = node_of(f);
+    const Mask<Real> row = whole_of<Real>(real_of<Real>(number) * (1 / all(static_cast<Real>(nodes.stride))));
+    Mask<Real> column = number - row * stride;
     column = column < 0 ? column + stride : column;
     column = column >= stride ? column - stride : column;
-    return 1 / larger(column + f[position_x], all(Real(1e-6)));
+    return 1 / larger(real_of<Real>(column) + f[C::position], all(Real(1e-6)));
   }
 
   /// Lanes without a particle see nothing: their state stays what it is.
   static MPM_INLINE void blind(const P* f, Weights& w) {
-    const Mask<Real> present = f[initial_volume] > 0;
+    const Mask<Real> present = f[C::initial_volume] > 0;
     for (int i = 0; i < 3; ++i) {
-      w.x[i] = where<Real>(present, w.x[i]);
-      w.slope_x[i] = where<Real>(present, w.slope_x[i]);
+      w.value[0][i] = where<Real>(present, w.value[0][i]);
+      w.slope[0][i] = where<Real>(present, w.slope[0][i]);
       if constexpr (has_hoop) w.hoop[i] = where<Real>(present, w.hoop[i]);
     }
   }
 
-  /// Motion and energy of a block from what it sees, and dt L, the gradient of its displacement: xx, xy, yx,
-  /// yy; along the hoop.
+  /// s : m of the deviator, and of a tensor m whose components off the diagonal are both sides of it added.
+  static MPM_INLINE P power_of(const P* f, P mean, const P (&m)[axes][axes]) {
+    const P* const s = f + C::deviator;
+    P power = (s[0] - mean) * m[0][0] + (s[1] - mean) * m[1][1];
+    if constexpr (axes == 3) power -= (s[0] + s[1] + mean) * m[2][2];
+    power += s[2] * m[0][1];
+    if constexpr (axes == 3) power += s[3] * m[0][2] + s[4] * m[1][2];
+    return power;
+  }
+
+  /// Motion and energy of a block from what it sees, and dt L, the gradient of its displacement, row by row;
+  /// along the hoop.
   template <Order order>
-  static MPM_INLINE void advance(P* f, const Nodes<Real>& nodes, const Place<Real>& place, const Weights& w,
-                                 const Constants<Real>& k, Real dt, P* sums, P* gradient,
+  static MPM_INLINE void advance(P* f, const Nodes& nodes, const Place<Real>& place, const Weights& w,
+                                 const Constants& k, Real dt, P* sums, P* gradient,
                                  [[maybe_unused]] P* hoop) {
-    const Reader<Real, order> reader(nodes, f[node], place);
-    const Seen<Real> vx = see(reader, motion_x, w), dvx = see(reader, change_x, w);
-    const Seen<Real> vy = see(reader, motion_y, w), dvy = see(reader, change_y, w);
-    const Real to_x = dt * k.inverse_cell_x, to_y = dt * k.inverse_cell_y;
-    const P xx = to_x * vx.along_x, xy = to_y * vx.along_y, yx = to_x * vy.along_x, yy = to_y * vy.along_y;
-    gradient[0] = xx, gradient[1] = xy, gradient[2] = yx, gradient[3] = yy;
+    const Reader<Real, axes, order> reader(nodes, node_of(f), place);
+    Seen<Real, axes> v[axes], dv[axes];
+    Real to[axes];
+    P change[axes], l[axes][axes], middle[axes][axes];
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a) {
+      v[a] = see(reader, M::velocity + a, w), dv[a] = see(reader, M::change + a, w);
+      to[a] = dt * k.inverse_cell[a];
+      change[a] = dv[a].value;
+    }
+    const Real half = 0.5;
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a)
+#pragma GCC unroll 3
+      for (int b = 0; b < axes; ++b) gradient[a * axes + b] = l[a][b] = to[b] * v[a].along[b];
 
     // work of the stress that made the forces, on the velocity in the middle of the step
-    const Real half = 0.5;
-    const P mean = f[Column::pressure] + f[viscous_pressure];
-    const P middle_xx = xx - (half * to_x) * dvx.along_x, middle_yy = yy - (half * to_y) * dvy.along_y;
-    const P middle_xy = (xy + yx) - ((half * to_y) * dvx.along_y + (half * to_x) * dvy.along_x);
-    P power = (f[deviator_xx] - mean) * middle_xx + (f[deviator_yy] - mean) * middle_yy +
-              f[deviator_xy] * middle_xy;
+    const P mean = f[C::pressure] + f[C::viscous_pressure];
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a) {
+      middle[a][a] = l[a][a] - (half * to[a]) * dv[a].along[a];
+#pragma GCC unroll 3
+      for (int b = a + 1; b < axes; ++b)
+        middle[a][b] =
+            (l[a][b] + l[b][a]) - ((half * to[b]) * dv[a].along[b] + (half * to[a]) * dv[b].along[a]);
+    }
+    P power = power_of(f, mean, middle);
     if constexpr (has_hoop) {
-      const P per_radius = to_x * inverse_radius(f, nodes);
-      *hoop = per_radius * vx.hoop;
-      power -= (f[deviator_xx] + f[deviator_yy] + mean) * (per_radius * (vx.hoop - half * dvx.hoop));
+      const P per_radius = to[0] * inverse_radius(f, nodes);
+      *hoop = per_radius * v[0].hoop;
+      power -= (f[C::deviator] + f[C::deviator + 1] + mean) * (per_radius * (v[0].hoop - half * dv[0].hoop));
     }
-    const P work = (k.inverse_rho0 * (1 + f[Column::dilation])) * power;
-    const P square = see(reader, change_square, w).value;
-    const P heat = half * (square - (dvx.value * dvx.value + dvy.value * dvy.value));
-    f[energy] += work + heat;
-    sums[0] += f[initial_volume] * heat;
-    sums[1] += f[initial_volume] * dvx.value;
-    sums[2] += f[initial_volume] * dvy.value;
-
-    f[velocity_x] += dvx.value;
-    f[velocity_y] += dvy.value;
-    sums[3] += f[initial_volume] * (f[velocity_x] * f[velocity_x] + f[velocity_y] * f[velocity_y]);
-    f[position_x] += to_x * vx.value;
-    f[position_y] += to_y * vy.value;
-    if constexpr (gimp) {
-      f[half_size] *= 1 + xx;
-      f[half_size + 1] *= 1 + yy;
+    const P work = (k.inverse_rho0 * (1 + f[C::dilation])) * power;
+    const P square = see(reader, M::change_square, w).value;
+    const P heat = half * (square - square_of<axes>(change));
+    f[C::energy] += work + heat;
+    sums[0] += f[C::initial_volume] * heat;
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a) {
+      sums[1 + a] += f[C::initial_volume] * change[a];
+      f[C::velocity + a] += change[a];
+      f[C::position + a] += to[a] * v[a].value;
+      if constexpr (gimp) f[half_size + a] *= 1 + l[a][a];
     }
+    sums[1 + axes] += f[C::initial_volume] * square_of<axes>(f + C::velocity);
   }
 
   /// Particles that came nearer to another node belong to it from now on. Those that leave the grid or the
   /// rows of their band stay where they were: true.
-  static bool __attribute__((noinline))
-  change_nodes(P* f, const Nodes<Real>& nodes, int first_row, int last_row) {
+  static bool __attribute__((noinline)) change_nodes(P* f, const Nodes& nodes, int first_row, int last_row) {
     bool broken = false;
+    Mask<Real> number = node_of(f);
     for (int l = 0; l < width; ++l) {
-      if (f[initial_volume][l] == 0) continue;
-      const Real shift_x = rounded<Real>(f[position_x])[l], shift_y = rounded<Real>(f[position_y])[l];
-      const int old = static_cast<int>(f[node][l]), row = old / nodes.stride, column = old % nodes.stride;
-      const Real to_column = static_cast<Real>(column) + shift_x, to_row = static_cast<Real>(row) + shift_y;
-      if (to_column >= 0 && to_column <= static_cast<Real>(nodes.columns) &&
-          to_row >= static_cast<Real>(first_row) && to_row <= static_cast<Real>(last_row)) {
-        f[position_x][l] -= shift_x;
-        f[position_y][l] -= shift_y;
-        f[node][l] = static_cast<Real>(static_cast<int>(to_row) * nodes.stride + static_cast<int>(to_column));
-      } else {  // or not a number
-        f[position_x][l] = f[position_y][l] = 0;
-        broken = true;
+      if (f[C::initial_volume][l] == 0) continue;
+      const int old = static_cast<int>(number[l]), row = old / nodes.to_row, in_row = old % nodes.to_row;
+      // columns, rows, slices
+      const int at[3] = {in_row % nodes.stride, row, in_row / nodes.stride};
+      const int low[3] = {0, first_row, 0}, high[3] = {nodes.columns, last_row, nodes.slices};
+      const int to_next[3] = {1, nodes.to_row, nodes.stride};
+      Real shift[axes];
+      bool inside = true;
+      for (int a = 0; a < axes; ++a) {
+        shift[a] = rounded<Real>(f[C::position + a])[l];
+        // false where it is not a number
+        inside &=
+            shift[a] >= static_cast<Real>(low[a] - at[a]) && shift[a] <= static_cast<Real>(high[a] - at[a]);
       }
+      for (int a = 0; a < axes; ++a) {
+        if (inside) {
+          f[C::position + a][l] -= shift[a];
+          number[l] += static_cast<int>(shift[a]) * to_next[a];
+        } else {
+          f[C::position + a][l] = 0;
+        }
+      }
+      broken |= !inside;
     }
+    f[C::node] = (P)number;
     return broken;
   }
 
   /// What the block gives to the grid.
-  static MPM_INLINE void give(const P* f, const Nodes<Real>& nodes, const Place<Real>& place,
-                              const Weights& w, const Constants<Real>& k) {
-    const P mass = f[initial_volume], volume = mass * (1 + f[Column::dilation]);
-    const P mean = f[Column::pressure] + f[viscous_pressure];
-    const P per_x = volume * k.force_x, per_y = volume * k.force_y;
-    P hoop{};
-    if constexpr (has_hoop)
-      hoop = (mean + f[deviator_xx] + f[deviator_yy]) * per_x * inverse_radius(f, nodes);
-    const Given<Real, has_hoop> given{mass,
-                                      mass * f[velocity_x],
-                                      mass * f[velocity_y],
-                                      (mean - f[deviator_xx]) * per_x,
-                                      -f[deviator_xy] * per_x,
-                                      -f[deviator_xy] * per_y,
-                                      (mean - f[deviator_yy]) * per_y,
-                                      hoop};
-    add(nodes, f[node], place, w, given);
+  static MPM_INLINE void give(const P* f, const Nodes& nodes, const Place<Real>& place, const Weights& w,
+                              const Constants& k) {
+    const P* const s = f + C::deviator;
+    const P mass = f[C::initial_volume], volume = mass * (1 + f[C::dilation]);
+    const P mean = f[C::pressure] + f[C::viscous_pressure];
+    Given<Real, Space> given;
+    P per[axes];
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a) per[a] = volume * k.force[a];
+    given.mass = mass;
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a) given.momentum[a] = mass * f[C::velocity + a];
+    given.stress[0][0] = (mean - s[0]) * per[0], given.stress[1][1] = (mean - s[1]) * per[1];
+    given.stress[0][1] = -s[2] * per[1], given.stress[1][0] = -s[2] * per[0];
+    if constexpr (axes == 3) {
+      given.stress[2][2] = (mean + s[0] + s[1]) * per[2];
+      given.stress[0][2] = -s[3] * per[2], given.stress[2][0] = -s[3] * per[0];
+      given.stress[1][2] = -s[4] * per[2], given.stress[2][1] = -s[4] * per[1];
+    }
+    given.hoop = P{};
+    if constexpr (has_hoop) given.hoop = (mean + s[0] + s[1]) * per[0] * inverse_radius(f, nodes);
+    add(nodes, node_of(f), place, w, given);
   }
 
-  static void scatter(const Band<Real>& band, const Nodes<Real>& nodes, const Constants<Real>& k) {
+  static void scatter(const Band<Real>& band, const Nodes& nodes, const Constants& k) {
     const auto* f = reinterpret_cast<const P*>(band.blocks);
     for (std::size_t b = 0; b < band.count; ++b, f += band.columns) {
       Weights w;
       weigh(f, w);
-      give(f, nodes, place_of<Real>(f[node]), w, k);
+      give(f, nodes, place_of<Real>(node_of(f)), w, k);
     }
   }
 
@@ -158,19 +199,20 @@ struct Sweep {
       __builtin_prefetch(block + c, 1);
   }
 
-  static void sweep(const Band<Real>& band, const Nodes<Real>& all_nodes, const Constants<Real>& constants,
-                    double time_step, const StressUpdate<Real>& stress, SweepReport& report) {
-    const Nodes<Real> nodes = all_nodes;
-    const Constants<Real> k = constants;
+  static void sweep(const Band<Real>& band, const Nodes& all_nodes, const Constants& constants,
+                    double time_step, const StressUpdate<Real, axes>& stress, SweepReport& report) {
+    const Nodes nodes = all_nodes;
+    const Constants k = constants;
     const int columns = band.columns;
     const Real dt = static_cast<Real>(time_step), inverse_dt = static_cast<Real>(1 / time_step);
     Extremes<Real> extremes;
-    P low_node = reinterpret_cast<const P*>(band.blocks)[node], high_node = low_node;
-    double totals[4] = {};
+    Mask<Real> low_node = node_of(reinterpret_cast<const P*>(band.blocks)), high_node = low_node;
+    constexpr int sum_count = 2 + axes;
+    double totals[sum_count] = {};
     bool broken = false;
     std::int64_t out_of_step = 0;
     Chunk chunk;
-    Gradients<Real> gradients;
+    Gradients<Real, axes> gradients;
     for (std::size_t start = 0; start < band.count; start += chunk_blocks) {
       const int count =
           static_cast<int>(band.count - start < chunk_blocks ? band.count - start : chunk_blocks);
@@ -182,9 +224,9 @@ struct Sweep {
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         weigh(f, chunk.weights[b]);
         blind(f, chunk.weights[b]);
-        chunk.place[b] = place_of<Real>(f[node]);
+        chunk.place[b] = place_of<Real>(node_of(f));
       });
-      P sums[4] = {};
+      P sums[sum_count] = {};
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         prefetch(f + chunk_blocks * columns, columns);
         const Place<Real>& place = chunk.place[b];
@@ -201,30 +243,32 @@ struct Sweep {
       stress.update(stress.model, reinterpret_cast<Real*>(first), count, columns, sure_columns, gradients,
                     inverse_dt, extremes);
       each_block([&](P * f, int b) __attribute__((always_inline)) {
-        const P shift_x = rounded<Real>(f[position_x]), shift_y = rounded<Real>(f[position_y]);
-        if (__builtin_expect(any((shift_x != 0) | (shift_y != 0)), 0)) {
+        Mask<Real> moved = rounded<Real>(f[C::position]) != 0;
+#pragma GCC unroll 2
+        for (int a = 1; a < axes; ++a) moved |= rounded<Real>(f[C::position + a]) != 0;
+        if (__builtin_expect(any(moved), 0)) {
           broken |= change_nodes(f, nodes, band.first_row, band.last_row);
-          chunk.place[b] = place_of<Real>(f[node]);
+          chunk.place[b] = place_of<Real>(node_of(f));
         }
-        low_node = smaller(low_node, f[node]);
-        high_node = larger(high_node, f[node]);
+        const Mask<Real> number = node_of(f);
+        low_node = number < low_node ? number : low_node;
+        high_node = number > high_node ? number : high_node;
         weigh(f, chunk.weights[b]);
       });
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         out_of_step += !chunk.place[b].in_step();
         give(f, nodes, chunk.place[b], chunk.weights[b], k);
       });
-      for (int n = 0; n < 4; ++n)
+      for (int n = 0; n < sum_count; ++n)
         for (int l = 0; l < width; ++l) totals[n] += static_cast<double>(sums[n][l]);
     }
     report.transfer_heat += totals[0];
-    report.momentum_x += totals[1];
-    report.momentum_y += totals[2];
-    report.kinetic += 0.5 * totals[3];
+    for (int a = 0; a < axes; ++a) report.momentum[a] += totals[1 + a];
+    report.kinetic += 0.5 * totals[1 + axes];
     report.out_of_step += out_of_step;
     report.broken |= broken;
     for (int l = 0; l < width; ++l) {
-      const double low = low_node[l], high = high_node[l];
+      const std::int64_t low = low_node[l], high = high_node[l];
       report.lowest_node = low < report.lowest_node ? low : report.lowest_node;
       report.highest_node = high > report.highest_node ? high : report.highest_node;
     }

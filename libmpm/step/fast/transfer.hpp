@@ -29,12 +29,12 @@ struct Place {
 };
 
 template <class Real>
-MPM_INLINE Place<Real> place_of(Pack<Real> node) {
+MPM_INLINE Place<Real> place_of(Mask<Real> node) {
   constexpr int width = Lanes<Real>::width, all_lanes = (1 << width) - 1;
-  const Pack<Real> start = node - Lanes<Real>::numbers;
+  const Mask<Real> start = node - Lanes<Real>::numbers;
   Place<Real> place;
   place.first = static_cast<std::int32_t>(start[0]);
-  int away = bits(start != all(start[0]));
+  int away = bits(start != all_whole<Real>(place.first));
   if (__builtin_expect(place.first % width == 0 && away == 0, 1)) {
     place.strays = 0;
     return place;
@@ -45,7 +45,7 @@ MPM_INLINE Place<Real> place_of(Pack<Real> node) {
   int fewest = place.first % width == 0 ? __builtin_popcount(static_cast<unsigned>(away)) : width;
   for (const int lane : candidates) {
     const auto first = static_cast<std::int32_t>(start[lane]);
-    const int others = bits(start != all(start[lane]));
+    const int others = bits(start != all_whole<Real>(first));
     const int count = __builtin_popcount(static_cast<unsigned>(others));
     if (first % width != 0 || count >= fewest) continue;
     fewest = count, away = others, place.first = first;
@@ -58,188 +58,239 @@ MPM_INLINE Place<Real> place_of(Pack<Real> node) {
   return place;
 }
 
-/// What a pack sees of a component of the nodes: N, dN/dxi, dN/deta, and with the weights of the hoop.
-template <class Real>
+/// From the lower left node of a stencil to the first one of its line.
+template <class Real, int axes>
+MPM_INLINE std::ptrdiff_t line_of(const Nodes<Real, axes>& nodes, int line) {
+  return axes == 3 ? nodes.to_line(line / 3, line % 3) : nodes.to_line(line, 0);
+}
+
+/// What a pack sees of a component of the nodes: N, its slopes along the axes [1/cells], and with the weights
+/// of the hoop.
+template <class Real, int axes>
 struct Seen {
-  Pack<Real> value, along_x, along_y, hoop;
+  Pack<Real> value, along[axes], hoop;
 };
 
 enum class Order { in_step, with_strays, scattered };
 
-/// The nodes of a pack: reader(c, j, out) fetches component c in row j of the stencils, column by column.
-template <class Real, Order>
+/// The nodes of a pack: reader(c, n, out) fetches component c in line n of the stencils, column by column.
+template <class Real, int axes, Order>
 struct Reader;
 
-template <class Real>
-struct Reader<Real, Order::in_step> {
-  const Real* row[3];
+template <class Real, int axes>
+struct Reader<Real, axes, Order::in_step> {
+  static constexpr int components = Motion<axes>::components;
+  const Real* line[lines<axes>];
 
-  MPM_INLINE Reader(const Nodes<Real>& n, const Pack<Real>&, const Place<Real>& place) {
-    row[0] = n.motion + motion_components * static_cast<std::ptrdiff_t>(place.first);
-    row[1] = row[0] + motion_components * static_cast<std::ptrdiff_t>(n.stride);
-    row[2] = row[1] + motion_components * static_cast<std::ptrdiff_t>(n.stride);
+  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Mask<Real>&, const Place<Real>& place) {
+    const Real* const first = n.motion + components * static_cast<std::ptrdiff_t>(place.first);
+#pragma GCC unroll 9
+    for (int r = 0; r < lines<axes>; ++r) line[r] = first + components * line_of(n, r);
   }
-  MPM_INLINE void operator()(int component, int j, Pack<Real>* column) const {
-    const auto* const group = reinterpret_cast<const Pack<Real>*>(row[j]) + component;
-    columns_of(group[0], group[motion_components], column);
+  MPM_INLINE void operator()(int component, int r, Pack<Real>* column) const {
+    const auto* const group = reinterpret_cast<const Pack<Real>*>(line[r]) + component;
+    columns_of(group[0], group[components], column);
   }
 };
 
-template <class Real>
-struct Reader<Real, Order::with_strays> {
-  Reader<Real, Order::in_step> others;
-  const Real* motion;
-  std::ptrdiff_t to_row;
+template <class Real, int axes>
+struct Reader<Real, axes, Order::with_strays> {
+  static constexpr int components = Motion<axes>::components;
+  Reader<Real, axes, Order::in_step> others;
+  const Nodes<Real, axes>& nodes;
   int strays;
   Mask<Real> lane[Place<Real>::most_strays];
-  std::int32_t at[Place<Real>::most_strays][3];  ///< of the columns of a stray's lowest row
+  std::int32_t at[Place<Real>::most_strays][3];  ///< of the columns of a stray's first line
 
-  MPM_INLINE Reader(const Nodes<Real>& n, const Pack<Real>& node, const Place<Real>& place)
-      : others(n, node, place),
-        motion(n.motion),
-        to_row(motion_components * static_cast<std::ptrdiff_t>(n.stride)),
-        strays(place.strays) {
+  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Mask<Real>& node, const Place<Real>& place)
+      : others(n, node, place), nodes(n), strays(place.strays) {
     for (int s = 0; s < strays; ++s) {
-      lane[s] = Lanes<Real>::numbers == all(static_cast<Real>(place.stray[s]));
+      lane[s] = Lanes<Real>::numbers == all_whole<Real>(place.stray[s]);
       for (int i = 0; i < 3; ++i)
-        at[s][i] = static_cast<std::int32_t>(
-            Nodes<Real>::motion_at(static_cast<std::int32_t>(node[place.stray[s]]) + i));
+        at[s][i] =
+            static_cast<std::int32_t>(n.motion_at(static_cast<std::int32_t>(node[place.stray[s]]) + i));
     }
   }
-  MPM_INLINE void operator()(int component, int j, Pack<Real>* column) const {
-    others(component, j, column);
-    const Real* const from = motion + j * to_row + component * Lanes<Real>::width;
+  MPM_INLINE void operator()(int component, int r, Pack<Real>* column) const {
+    others(component, r, column);
+    const Real* const from = nodes.motion + components * line_of(nodes, r) + component * Lanes<Real>::width;
     for (int s = 0; s < strays; ++s)
       for (int i = 0; i < 3; ++i) column[i] = lane[s] ? all(from[at[s][i]]) : column[i];
   }
 };
 
-template <class Real>
-struct Reader<Real, Order::scattered> {
-  const Real* motion;
-  std::ptrdiff_t to_row;
-  std::int32_t at[3][Lanes<Real>::width];  ///< of the columns of the lowest row
+template <class Real, int axes>
+struct Reader<Real, axes, Order::scattered> {
+  const Nodes<Real, axes>& nodes;
+  std::int32_t at[3][Lanes<Real>::width];  ///< of the columns of the first line
 
-  MPM_INLINE Reader(const Nodes<Real>& n, const Pack<Real>& node, const Place<Real>&)
-      : motion(n.motion), to_row(motion_components * static_cast<std::ptrdiff_t>(n.stride)) {
+  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Mask<Real>& node, const Place<Real>&) : nodes(n) {
     for (int l = 0; l < Lanes<Real>::width; ++l)
       for (int i = 0; i < 3; ++i)
-        at[i][l] = static_cast<std::int32_t>(Nodes<Real>::motion_at(static_cast<std::int32_t>(node[l]) + i));
+        at[i][l] = static_cast<std::int32_t>(n.motion_at(static_cast<std::int32_t>(node[l]) + i));
   }
-  MPM_INLINE void operator()(int component, int j, Pack<Real>* column) const {
-    const Real* const from = motion + j * to_row + component * Lanes<Real>::width;
+  MPM_INLINE void operator()(int component, int r, Pack<Real>* column) const {
+    const Real* const from =
+        nodes.motion + Motion<axes>::components * line_of(nodes, r) + component * Lanes<Real>::width;
     for (int i = 0; i < 3; ++i) column[i] = fetched(from, at[i]);
   }
 };
 
-template <class Real, Order order, bool has_hoop>
-MPM_INLINE Seen<Real> see(const Reader<Real, order>& nodes, int component,
-                          const PackWeights<Real, has_hoop>& w) {
+/// Over the three nodes of an axis.
+template <class P>
+MPM_INLINE P weighted(const P* w, const P* of) {
+  return w[0] * of[0] + w[1] * of[1] + w[2] * of[2];
+}
+
+template <class Real, Order order, class Space>
+MPM_INLINE Seen<Real, Space::axes> see(const Reader<Real, Space::axes, order>& nodes, int component,
+                                       const PackWeights<Real, Space>& w) {
   using P = Pack<Real>;
-  P value[3], slope[3];
-  [[maybe_unused]] P hoop{};
+  constexpr int axes = Space::axes;
+  P value[3], slope_x[3];
+  [[maybe_unused]] P slope_z[3], hoop{};
 #pragma GCC unroll 3
   for (int j = 0; j < 3; ++j) {
     P n[3];
-    nodes(component, j, n);
-    value[j] = w.x[0] * n[0] + w.x[1] * n[1] + w.x[2] * n[2];
-    slope[j] = w.slope_x[0] * n[0] + w.slope_x[1] * n[1] + w.slope_x[2] * n[2];
-    if constexpr (has_hoop) hoop += w.y[j] * (w.hoop[0] * n[0] + w.hoop[1] * n[1] + w.hoop[2] * n[2]);
+    if constexpr (axes == 3) {
+      P of_line[3], slope_of_line[3];
+#pragma GCC unroll 3
+      for (int k = 0; k < 3; ++k) {
+        nodes(component, 3 * j + k, n);
+        of_line[k] = weighted(w.value[0], n);
+        slope_of_line[k] = weighted(w.slope[0], n);
+      }
+      value[j] = weighted(w.value[2], of_line);
+      slope_x[j] = weighted(w.value[2], slope_of_line);
+      slope_z[j] = weighted(w.slope[2], of_line);
+    } else {
+      nodes(component, j, n);
+      value[j] = weighted(w.value[0], n);
+      slope_x[j] = weighted(w.slope[0], n);
+    }
+    if constexpr (Space::has_hoop) hoop += w.value[1][j] * weighted(w.hoop, n);
   }
-  return {w.y[0] * value[0] + w.y[1] * value[1] + w.y[2] * value[2],
-          w.y[0] * slope[0] + w.y[1] * slope[1] + w.y[2] * slope[2],
-          w.slope_y[0] * value[0] + w.slope_y[1] * value[1] + w.slope_y[2] * value[2], hoop};
+  Seen<Real, axes> seen;
+  seen.value = weighted(w.value[1], value);
+  seen.along[0] = weighted(w.value[1], slope_x);
+  seen.along[1] = weighted(w.slope[1], value);
+  if constexpr (axes == 3) seen.along[2] = weighted(w.value[1], slope_z);
+  seen.hoop = hoop;
+  return seen;
 }
 
-/// What a pack gives to the grid: mass, momentum, and -V s / (rho0 h) for each slope and for the hoop.
-template <class Real, bool has_hoop>
+/// What a pack gives to the grid: mass, momentum, and -V s / (rho0 h) by component of the force and axis of
+/// the slope, and for the hoop.
+template <class Real, class Space>
 struct Given {
-  Pack<Real> mass, momentum_x, momentum_y, xx_by_x, xy_by_x, xy_by_y, yy_by_y, hoop;
+  static constexpr int axes = Space::axes;
+  Pack<Real> mass, momentum[axes], stress[axes][axes], hoop;
 
   /// That of some lanes.
   MPM_INLINE Given of(Mask<Real> lanes) const {
-    return {where<Real>(lanes, mass),       where<Real>(lanes, momentum_x),
-            where<Real>(lanes, momentum_y), where<Real>(lanes, xx_by_x),
-            where<Real>(lanes, xy_by_x),    where<Real>(lanes, xy_by_y),
-            where<Real>(lanes, yy_by_y),    has_hoop ? where<Real>(lanes, hoop) : hoop};
+    Given some;
+    some.mass = where<Real>(lanes, mass);
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a) {
+      some.momentum[a] = where<Real>(lanes, momentum[a]);
+#pragma GCC unroll 3
+      for (int b = 0; b < axes; ++b) some.stress[a][b] = where<Real>(lanes, stress[a][b]);
+    }
+    some.hoop = Space::has_hoop ? where<Real>(lanes, hoop) : hoop;
+    return some;
   }
 };
 
-/// What a pack gives to row j: by column of the stencil, its sums.
-template <class Real, bool has_hoop>
-struct GivenToRow {
-  Pack<Real> mass, momentum_x, momentum_y, xx_by_x, xy_by_x, xy_by_y, yy_by_y, hoop;
-  MPM_INLINE GivenToRow(const Given<Real, has_hoop>& g, const PackWeights<Real, has_hoop>& w, int j)
-      : mass(w.y[j] * g.mass),
-        momentum_x(w.y[j] * g.momentum_x),
-        momentum_y(w.y[j] * g.momentum_y),
-        xx_by_x(w.y[j] * g.xx_by_x),
-        xy_by_x(w.y[j] * g.xy_by_x),
-        xy_by_y(w.slope_y[j] * g.xy_by_y),
-        yy_by_y(w.slope_y[j] * g.yy_by_y),
-        hoop(has_hoop ? w.y[j] * g.hoop : g.hoop) {}
+/// What a pack gives to a line of the stencil: to a node of weight N and slope N' along x
+///   mass N, momentum N, across N + along N' of the force, and of the hoop's its own weight.
+template <class Real, class Space>
+struct GivenToLine {
+  static constexpr int axes = Space::axes;
+  Pack<Real> mass, momentum[axes], along[axes], across[axes], hoop;
+
+  MPM_INLINE GivenToLine(const Given<Real, Space>& g, const PackWeights<Real, Space>& w, int line) {
+    Pack<Real> weight, slope_y;
+    [[maybe_unused]] Pack<Real> slope_z;
+    if constexpr (axes == 3) {
+      const int j = line / 3, k = line % 3;
+      weight = w.value[1][j] * w.value[2][k];
+      slope_y = w.slope[1][j] * w.value[2][k];
+      slope_z = w.value[1][j] * w.slope[2][k];
+    } else {
+      weight = w.value[1][line];
+      slope_y = w.slope[1][line];
+    }
+    mass = weight * g.mass;
+#pragma GCC unroll 3
+    for (int a = 0; a < axes; ++a) {
+      momentum[a] = weight * g.momentum[a];
+      along[a] = weight * g.stress[a][0];
+      across[a] = slope_y * g.stress[a][1];
+      if constexpr (axes == 3) across[a] += slope_z * g.stress[a][2];
+    }
+    hoop = Space::has_hoop ? weight * g.hoop : g.hoop;
+  }
 };
 
-template <class Real, bool has_hoop>
-MPM_INLINE void add_in_step(const Nodes<Real>& nodes, std::int32_t first_node,
-                            const PackWeights<Real, has_hoop>& w, const Given<Real, has_hoop>& given) {
-  using P = Pack<Real>;
-  constexpr int entries = 3 * sum_components;
+/// Adds what it gives to column i of the line to that column's entry of each sum (Nodes::sums).
+template <class Real, class Space>
+MPM_INLINE void add_column(const GivenToLine<Real, Space>& g, const PackWeights<Real, Space>& w, int i,
+                           Pack<Real>* sums) {
+  using S = Sums<Space::axes>;
+  const Pack<Real> x = w.value[0][i], slope = w.slope[0][i];
+  sums[3 * S::mass + i] += x * g.mass;
+#pragma GCC unroll 3
+  for (int a = 0; a < Space::axes; ++a) {
+    Pack<Real>& momentum = sums[3 * (S::momentum + a) + i];
+    Pack<Real>& force = sums[3 * (S::force + a) + i];
+    momentum += x * g.momentum[a];
+    force = x * g.across[a] + (slope * g.along[a] + force);
+    if constexpr (Space::has_hoop)
+      if (a == 0) force += w.hoop[i] * g.hoop;
+  }
+}
+
+template <class Real, class Space>
+MPM_INLINE void add_in_step(const Nodes<Real, Space::axes>& nodes, std::int32_t first_node,
+                            const PackWeights<Real, Space>& w, const Given<Real, Space>& given) {
+  constexpr int axes = Space::axes, entries = Nodes<Real, axes>::entries;
   Real* const first = nodes.sums + entries * static_cast<std::ptrdiff_t>(first_node);
+#pragma GCC unroll 9
+  for (int r = 0; r < lines<axes>; ++r) {
+    const GivenToLine<Real, Space> g(given, w, r);
+    auto* const sums = reinterpret_cast<Pack<Real>*>(first + entries * line_of(nodes, r));
 #pragma GCC unroll 3
-  for (int j = 0; j < 3; ++j) {
-    const GivenToRow<Real, has_hoop> g(given, w, j);
-    P* const sums = reinterpret_cast<P*>(first + j * entries * static_cast<std::ptrdiff_t>(nodes.stride));
-#pragma GCC unroll 3
-    for (int i = 0; i < 3; ++i) {
-      const P x = w.x[i], slope = w.slope_x[i];
-      sums[3 * node_mass + i] += x * g.mass;
-      sums[3 * momentum_of_x + i] += x * g.momentum_x;
-      sums[3 * momentum_of_y + i] += x * g.momentum_y;
-      sums[3 * force_of_x + i] = x * g.xy_by_y + (slope * g.xx_by_x + sums[3 * force_of_x + i]);
-      if constexpr (has_hoop) sums[3 * force_of_x + i] += w.hoop[i] * g.hoop;
-      sums[3 * force_of_y + i] = x * g.yy_by_y + (slope * g.xy_by_x + sums[3 * force_of_y + i]);
-    }
+    for (int i = 0; i < 3; ++i) add_column(g, w, i, sums);
   }
 }
 
 /// Of the strays.
-template <class Real, bool has_hoop>
-MPM_INLINE void add_one_by_one(const Nodes<Real>& nodes, const Pack<Real>& node, const Place<Real>& place,
-                               const PackWeights<Real, has_hoop>& w, const Given<Real, has_hoop>& given) {
-  using P = Pack<Real>;
-  constexpr int width = Lanes<Real>::width, entries = 3 * sum_components;
-  for (int j = 0; j < 3; ++j) {
-    const GivenToRow<Real, has_hoop> g(given, w, j);
-    P sums[entries];
-    for (int i = 0; i < 3; ++i) {
-      const P x = w.x[i], slope = w.slope_x[i];
-      sums[3 * node_mass + i] = x * g.mass;
-      sums[3 * momentum_of_x + i] = x * g.momentum_x;
-      sums[3 * momentum_of_y + i] = x * g.momentum_y;
-      sums[3 * force_of_x + i] = x * g.xy_by_y + slope * g.xx_by_x;
-      if constexpr (has_hoop) sums[3 * force_of_x + i] += w.hoop[i] * g.hoop;
-      sums[3 * force_of_y + i] = x * g.yy_by_y + slope * g.xy_by_x;
-    }
+template <class Real, class Space>
+MPM_INLINE void add_one_by_one(const Nodes<Real, Space::axes>& nodes, const Mask<Real>& node,
+                               const Place<Real>& place, const PackWeights<Real, Space>& w,
+                               const Given<Real, Space>& given) {
+  constexpr int axes = Space::axes, width = Lanes<Real>::width, entries = Nodes<Real, axes>::entries;
+  for (int r = 0; r < lines<axes>; ++r) {
+    const GivenToLine<Real, Space> g(given, w, r);
+    Pack<Real> sums[entries] = {};
+    for (int i = 0; i < 3; ++i) add_column(g, w, i, sums);
     for (int s = 0; s < place.strays; ++s) {
       const int l = place.stray[s];
-      Real* const to = nodes.sums + Nodes<Real>::sum_at(static_cast<std::int32_t>(node[l]) +
-                                                        j * static_cast<std::ptrdiff_t>(nodes.stride));
+      Real* const to = nodes.sums + nodes.sum_at(static_cast<std::int32_t>(node[l]) + line_of(nodes, r));
       for (int e = 0; e < entries; ++e) to[e * width] += reinterpret_cast<const Real*>(sums)[e * width + l];
     }
   }
 }
 
-template <class Real, bool has_hoop>
-MPM_INLINE void add(const Nodes<Real>& nodes, const Pack<Real>& node, const Place<Real>& place,
-                    const PackWeights<Real, has_hoop>& w, const Given<Real, has_hoop>& given) {
+template <class Real, class Space>
+MPM_INLINE void add(const Nodes<Real, Space::axes>& nodes, const Mask<Real>& node, const Place<Real>& place,
+                    const PackWeights<Real, Space>& w, const Given<Real, Space>& given) {
   if (place.in_step()) {
     add_in_step(nodes, place.first, w, given);
     return;
   }
-  const auto first = static_cast<Real>(place.first);
   if (!place.scattered())
-    add_in_step(nodes, place.first, w, given.of(node - Lanes<Real>::numbers == all(first)));
+    add_in_step(nodes, place.first, w, given.of(node - Lanes<Real>::numbers == all_whole<Real>(place.first)));
   add_one_by_one(nodes, node, place, w, given);
 }
 

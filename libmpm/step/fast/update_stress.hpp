@@ -9,6 +9,9 @@ namespace mpm::fast::MPM_ISA {
 template <class Real, class Model, class Space>
 struct UpdateStress {
   using P = Pack<Real>;
+  static constexpr int axes = Space::axes;
+  using C = Columns<axes>;
+  using Deviator = typename Space::template Deviator<P>;
   static_assert(MaterialModelOver<Model, P, Space>);
 
   /// Extremes as packs.
@@ -16,19 +19,21 @@ struct UpdateStress {
     P signal, low_dilation, high_dilation, high_pressure, finite;
   };
 
-  static MPM_INLINE Point<P> point(P* f, int own, Deviator<P>& stress) {
-    return {f[Column::dilation], f[energy], stress, f[Column::pressure], f[viscous_pressure], f + own};
+  static MPM_INLINE Point<P, Deviator> point(P* f, int own, Deviator& stress) {
+    return {f[C::dilation], f[C::energy], stress, f[C::pressure], f[C::viscous_pressure], f + own};
   }
 
   /// The fastest signal against the grid is speed + viscous + sqrt(root); the root is taken only where it may
   /// raise the largest so far.
   static MPM_INLINE void record(const P* f, const Signal<P>& signal, ExtremePacks& extremes) {
-    const P dilation = f[Column::dilation], pressure = f[Column::pressure];
-    const P speed = larger(magnitude(f[velocity_x]), magnitude(f[velocity_y]));
+    const P dilation = f[C::dilation], pressure = f[C::pressure];
+    P speed = magnitude(f[C::velocity]);
+#pragma GCC unroll 2
+    for (int a = 1; a < axes; ++a) speed = larger(speed, magnitude(f[C::velocity + a]));
     const P root = signal.viscous * signal.viscous + signal.longitudinal_square;
     const P rest = extremes.signal - (speed + signal.viscous);
     // lanes without a particle do not count
-    const auto faster = ((root > rest * rest) | (rest < 0)) & (f[initial_volume] > 0);
+    const auto faster = ((root > rest * rest) | (rest < 0)) & (f[C::initial_volume] > 0);
     if (__builtin_expect(any(faster), 0))
       extremes.signal = faster ? speed + signal.viscous + square_root(root) : extremes.signal;
     extremes.finite += Real(0) * root + Real(0) * speed + Real(0) * pressure;
@@ -40,7 +45,7 @@ struct UpdateStress {
   /// In three loops over the blocks: a pack's chain of operations is some 80 cycles long in each, and the
   /// processor finds room for several packs at once, which it does not when all three are one loop.
   static void update(const void* any_model, Real* blocks, int count, int columns, int own,
-                     const Gradients<Real>& gradients, Real inverse_dt, Extremes<Real>& sums) {
+                     const Gradients<Real, axes>& gradients, Real inverse_dt, Extremes<Real>& sums) {
     const Model model = *static_cast<const Model*>(any_model);
     auto* const first = reinterpret_cast<P*>(blocks);
     const auto each_block = [&](auto&& work) __attribute__((always_inline)) {
@@ -50,16 +55,20 @@ struct UpdateStress {
     StrainFor<P, Space, Model> strain[chunk_blocks];
     each_block([&](P * f, int b) __attribute__((always_inline)) {
       const auto* const l = reinterpret_cast<const P*>(gradients.of_block[b]);
-      const auto* const hoop = reinterpret_cast<const P*>(gradients.hoop[b]);
-      if constexpr (Space::has_hoop)
-        strain[b] = strain_over<P, Space>(f[Column::dilation], {l[0], l[1], l[2], l[3]}, model, *hoop);
+      [[maybe_unused]] const auto* const hoop = reinterpret_cast<const P*>(gradients.hoop[b]);
+      if constexpr (axes == 3)
+        strain[b] = strain_over<P, Space>(
+            f[C::dilation], FullGradient<P>{l[0], l[1], l[2], l[3], l[4], l[5], l[6], l[7], l[8]}, model);
+      else if constexpr (Space::has_hoop)
+        strain[b] = strain_over<P, Space>(f[C::dilation], Gradient<P>{l[0], l[1], l[2], l[3]}, model, *hoop);
       else
-        strain[b] = strain_over<P>(f[Column::dilation], {l[0], l[1], l[2], l[3]}, model);
+        strain[b] = strain_over<P, Space>(f[C::dilation], Gradient<P>{l[0], l[1], l[2], l[3]}, model);
     });
     each_block([&](P * f, int b) __attribute__((always_inline)) {
-      Deviator<P> stress{f[deviator_xx], f[deviator_yy], f[deviator_xy]};
+      Deviator stress;
+      load(f + C::deviator, stress);
       model.shear(point(f, own, stress), strain[b], inverse_dt);
-      f[deviator_xx] = stress.xx, f[deviator_yy] = stress.yy, f[deviator_xy] = stress.xy;
+      store(stress, f + C::deviator);
     });
     const auto pack = [](Real * lanes) __attribute__((always_inline))->P& {
       return *reinterpret_cast<P*>(lanes);
@@ -67,7 +76,8 @@ struct UpdateStress {
     ExtremePacks extremes{pack(sums.signal), pack(sums.low_dilation), pack(sums.high_dilation),
                           pack(sums.high_pressure), pack(sums.finite)};
     each_block([&](P * f, int b) __attribute__((always_inline)) {
-      Deviator<P> stress{f[deviator_xx], f[deviator_yy], f[deviator_xy]};
+      Deviator stress;
+      load(f + C::deviator, stress);
       record(f, model.bulk(point(f, own, stress), strain[b], inverse_dt), extremes);
     });
     pack(sums.signal) = extremes.signal, pack(sums.finite) = extremes.finite;
@@ -80,10 +90,10 @@ struct UpdateStress {
     const auto* f = reinterpret_cast<const P*>(band.blocks);
     for (std::size_t b = 0; b < band.count; ++b, f += band.columns)
       for (int l = 0; l < Lanes<Real>::width; ++l) {
-        const Real dilation = f[Column::dilation][l];
-        if (f[Column::pressure][l] > valid.pressure_limit) report.overpressed += f[initial_volume][l];
+        const Real dilation = f[C::dilation][l];
+        if (f[C::pressure][l] > valid.pressure_limit) report.overpressed += f[C::initial_volume][l];
         if (dilation < valid.least_dilation || dilation >= valid.most_dilation)
-          report.overstrained += f[initial_volume][l];
+          report.overstrained += f[C::initial_volume][l];
       }
   }
 

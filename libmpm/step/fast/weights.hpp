@@ -13,10 +13,14 @@ struct HoopWeights<Real, true> {
 };
 
 /// Weights and slopes of a pack on the three nodes per axis of each of its particles.
-template <class Real, bool has_hoop = false>
-struct PackWeights : HoopWeights<Real, has_hoop> {
-  Pack<Real> x[3], slope_x[3], y[3], slope_y[3];
+template <class Real, class Space>
+struct PackWeights : HoopWeights<Real, Space::has_hoop> {
+  Pack<Real> value[Space::axes][3], slope[Space::axes][3];
 };
+
+/// The lines of nodes along x in a stencil: one for each row, of three axes one for each slice of each row.
+template <int axes>
+inline constexpr int lines = axes == 3 ? 9 : 3;
 
 /// d: distance from the nearest node, -1/2 ... 1/2.
 template <class Real>
