@@ -53,7 +53,8 @@ constexpr Quantity common_quantities[] = {
 constexpr auto scheme_words = words<ShapeFunction>({{ShapeFunction::gimp, "gimp"},
                                                     {ShapeFunction::bspline2, "bspline2"},
                                                     {ShapeFunction::cpdi, "cpdi"},
-                                                    {ShapeFunction::bspline3, "bspline3"}});
+                                                    {ShapeFunction::bspline3, "bspline3"},
+                                                    {ShapeFunction::linear, "linear"}});
 constexpr auto transfer_words = words<Transfer>({{Transfer::flip, "flip"}, {Transfer::apic, "apic"}});
 constexpr auto symmetry_words = words<Symmetry>({{Symmetry::half, "half"}, {Symmetry::full, "full"}});
 constexpr auto space_words = words<Space>({{Space::plane_strain, "plane-strain"},

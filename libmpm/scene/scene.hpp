@@ -28,6 +28,7 @@ enum class ShapeFunction {
   bspline2,  ///< quadratic B-spline
   cpdi,      ///< parallelograms that follow the whole deformation
   bspline3,  ///< cubic B-spline
+  linear,    ///< piecewise linear, of three axes the eight-node trilinear functions of the paper
 };
 
 /// How particles and grid exchange velocities.

@@ -6,6 +6,7 @@
 #include "libmpm/shape/bspline3.hpp"
 #include "libmpm/shape/cpdi.hpp"
 #include "libmpm/shape/gimp.hpp"
+#include "libmpm/shape/linear.hpp"
 #include "libmpm/step/apic.hpp"
 #include "libmpm/step/flip_pic.hpp"
 
@@ -34,6 +35,8 @@ auto with_scheme(const Scene& s, Make make) {
       return with_shape.template operator()<Cpdi>();
     case ShapeFunction::bspline3:
       return with_shape.template operator()<BSpline3>();
+    case ShapeFunction::linear:
+      return with_shape.template operator()<Linear>();
   }
   throw std::logic_error("a scheme that is not compiled");
 }

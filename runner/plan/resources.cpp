@@ -4,28 +4,34 @@
 #include <cmath>
 #include <functional>
 
+#include "libmpm/core/grid.hpp"
+
 namespace mpmstudy {
 namespace {
 
 /// Of the program with its catalog, without a job.
 constexpr double bytes_of_program = 18e6;
-/// Columns of mpm::Particles, which both kernels have, and of their velocity gradients.
-constexpr double bytes_of_columns = 200;
-/// What the fast step keeps beside them (libmpm/step/PERFORMANCE.md).
-constexpr double bytes_of_blocks_double = 186, bytes_of_blocks_float = 100;
-/// Of a node, without those of the body: mpm::Node.
-constexpr double bytes_of_node = 64;
+/// What a run keeps of a particle and of a node [bytes]. Measured where it is more than a sum of columns: see
+/// libmpm/step/PERFORMANCE.md.
+struct Bytes {
+  double columns;  ///< of mpm::BasicParticles, which both kernels have, and of their velocity gradients
+  double blocks_double, blocks_float;  ///< what the fast step keeps beside them, with its nodes
+  double node;                         ///< mpm::BasicNode
+};
+constexpr Bytes of_two_axes{200, 186, 100, sizeof(mpm::BasicNode<2>)};
+constexpr Bytes of_three_axes{270, 221, 134, sizeof(mpm::BasicNode<3>)};
 
 }  // namespace
 
 double predicted_bytes(const mpm::Scene& scene, const mpm::Estimate& estimate) {
   const auto particles = static_cast<double>(estimate.particles);
-  double each = bytes_of_columns;
+  const Bytes& bytes = mpm::axes_of(scene.space) == 3 ? of_three_axes : of_two_axes;
+  double each = bytes.columns;
   if (scene.numerics.kernel == mpm::Kernel::fast)
-    each += scene.numerics.precision == mpm::Precision::double_precision ? bytes_of_blocks_double
-                                                                         : bytes_of_blocks_float;
+    each += scene.numerics.precision == mpm::Precision::double_precision ? bytes.blocks_double
+                                                                         : bytes.blocks_float;
   const double nodes = particles / std::max(1, scene.numerics.particles_per_cell);
-  return particles * each + nodes * bytes_of_node;
+  return particles * each + nodes * bytes.node;
 }
 
 Demand demand_of(const std::vector<Job>& jobs, int workers) {

@@ -231,8 +231,8 @@ TEST(ThreeDScene, SaysWhatItDoesNotHave) {
   };
   EXPECT_EQ(problem([](mpm::Scene& s) { s.numerics.particles_per_cell = 4; }),
             "particles_per_cell: 1, 8 or 27 when space is \"three-d\"");
-  EXPECT_THAT(problem([](mpm::Scene& s) { s.numerics.scheme = mpm::ShapeFunction::bspline3; }),
-              testing::StartsWith("kernel: "));
+  for (const auto scheme : {mpm::ShapeFunction::bspline3, mpm::ShapeFunction::linear})
+    EXPECT_THAT(problem([&](mpm::Scene& s) { s.numerics.scheme = scheme; }), testing::StartsWith("kernel: "));
   EXPECT_THAT(problem([](mpm::Scene& s) { s.numerics.scheme = mpm::ShapeFunction::cpdi; }),
               testing::StartsWith("scheme: "));
   EXPECT_THAT(problem([](mpm::Scene& s) { s.measures.decides = mpm::Decides::ejection; }),

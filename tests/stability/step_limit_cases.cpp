@@ -46,6 +46,8 @@ Weight weight(ShapeFunction shape, double x, double half) {
       return {parabolas(x), hat(x + 0.5) - hat(x - 0.5)};
     case ShapeFunction::bspline3:
       return {cubics(x), parabolas(x + 0.5) - parabolas(x - 0.5)};
+    case ShapeFunction::linear:
+      return {hat(x), x < -1 || x >= 1 ? 0.0 : x < 0 ? 1.0 : -1.0};
   }
   return {};
 }

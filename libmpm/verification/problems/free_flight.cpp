@@ -36,6 +36,7 @@ mpm::Vec3 angular_momentum(const mpm::BasicParticles<3>& ps, const mpm::Vec3& ce
 FreeFlight fly_freely(mpm::Transfer transfer) {
   mpm::Scene scene = scenes::in_space(mpm::Space::three_d, scenes::cavity(flight_cell));
   scene.numerics.transfer = transfer;
+  scene.numerics.kernel = mpm::Kernel::reference;  // which has all transfers
   // four cells of a cube, as far from every side of the grid
   const mpm::Vec3 low = mpm::Vec3::Constant(4 * flight_cell), high = 2 * low, center = 1.5 * low;
   const mpm::Vec3 spin = 1e8 * mpm::Vec3(0.6, -0.5, 0.7), flight(150, 220, -90);

@@ -6,6 +6,7 @@
 #include "libmpm/shape/bspline3.hpp"
 #include "libmpm/shape/cpdi.hpp"
 #include "libmpm/shape/gimp.hpp"
+#include "libmpm/shape/linear.hpp"
 
 namespace mpm::verification {
 
@@ -21,6 +22,8 @@ auto with_shape(mpm::ShapeFunction shape, const Visit& visit) {
       return visit.template operator()<mpm::Cpdi>();
     case mpm::ShapeFunction::bspline3:
       return visit.template operator()<mpm::BSpline3>();
+    case mpm::ShapeFunction::linear:
+      return visit.template operator()<mpm::Linear>();
   }
   throw std::logic_error("a shape function that is not compiled");
 }
