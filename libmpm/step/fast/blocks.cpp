@@ -47,7 +47,7 @@ Blocks<Real, axes>::Blocks(Particles& ps, typename Particles::Range range,
     const auto set = [&](int column, double value) { at(s, column) = static_cast<Real>(value); };
     int number = static_cast<int>(nearest.y()) * to_row_ + static_cast<int>(nearest.x());
     if constexpr (axes == 3) number += static_cast<int>(nearest.z()) * stride_;
-    at(s, C::node) = real_of(static_cast<std::size_t>(number));
+    at(s, C::node) = real_of_node<Real>(number);
     for (int a = 0; a < axes; ++a) {
       set(C::position + a, xi[a] - nearest[a]);
       set(C::velocity + a, ps.velocity[p][a]);

@@ -1,5 +1,4 @@
 #pragma once
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -70,7 +69,6 @@ class Blocks {
  private:
   using C = Columns<axes>;
   static constexpr std::uint32_t nobody = UINT32_MAX;
-  static Real real_of(std::size_t node) { return std::bit_cast<Real>(static_cast<Integer<Real>>(node)); }
 
   std::size_t block_size() const { return static_cast<std::size_t>(columns_) * width; }
   Real& at(std::size_t slot, int column) { return block(slot / width)[column * width + slot % width]; }
@@ -78,7 +76,7 @@ class Blocks {
     return values_[slot / width * block_size() + static_cast<std::size_t>(column) * width + slot % width];
   }
   std::size_t node_of(std::size_t slot) const {
-    return static_cast<std::size_t>(std::bit_cast<Integer<Real>>(at(slot, C::node)));
+    return static_cast<std::size_t>(node_of_real(at(slot, C::node)));
   }
   void write(std::size_t slot, const Grid&, Particles&, const OwnNumbers&) const;
   std::vector<std::uint32_t> order(int rows);

@@ -1,8 +1,8 @@
 #pragma once
 /// What the fast step is made of: plain data and a few functions, compiled for several instruction sets.
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 #include "libmpm/core/state_column.hpp"
 #include "libmpm/space/space.hpp"
@@ -15,8 +15,8 @@ namespace mpm::fast {
 template <int axes>
 struct Columns {
   enum : int {
-    node,      ///< number of the lower left node of the stencil: an Integer in the place of a Real
-    position,  ///< against the nearest node, -1/2 ... 1/2 [cells]
+    node,                              ///< number of the lower left node of the stencil, see real_of_node()
+    position,                          ///< against the nearest node, -1/2 ... 1/2 [cells]
     velocity = position + axes,        ///< [m/s]
     initial_volume = velocity + axes,  ///< mass [unit_mass()]; 0: a lane without particle
     dilation,                          ///< J - 1 [1]
@@ -28,9 +28,22 @@ struct Columns {
   };
 };
 
-/// Whole numbers of the size of a Real.
+/// The number of a node as it lies in a column: a double, or 32 bits in the place of a float, which counts to
+/// 2^24 alone.
 template <class Real>
-using Integer = std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t>;
+Real real_of_node(std::int64_t node) {
+  if constexpr (sizeof(Real) == 8)
+    return static_cast<Real>(node);
+  else
+    return std::bit_cast<Real>(static_cast<std::int32_t>(node));
+}
+template <class Real>
+std::int64_t node_of_real(Real column) {
+  if constexpr (sizeof(Real) == 8)
+    return static_cast<std::int64_t>(column);
+  else
+    return std::bit_cast<std::int32_t>(column);
+}
 
 /// The columns of a block: the common ones, half sizes of the domains (with GIMP along all axes, in
 /// axisymmetry along x), then the material model's own.

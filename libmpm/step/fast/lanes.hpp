@@ -27,11 +27,10 @@ struct Lanes;
 template <>
 struct Lanes<double> {
   typedef double Pack __attribute__((vector_size(32)));
-  /// Whole numbers of the same size: what comparisons give, and numbers of nodes. Compilers differ in which
-  /// type of 64 bits.
-  using Mask = decltype(Pack{} < Pack{});
+  using Mask = decltype(Pack{} < Pack{});  // of whole numbers; compilers differ in which of 64 bits
+  using Whole = Pack;                      ///< numbers of nodes: a double counts them
   static constexpr int width = 4;
-  static constexpr Mask numbers = {0, 1, 2, 3};
+  static constexpr Whole numbers = {0, 1, 2, 3};
   static constexpr double round_to_whole = 0x1.8p52;  ///< a + this - this is a whole number
 };
 
@@ -39,8 +38,9 @@ template <>
 struct Lanes<float> {
   typedef float Pack __attribute__((vector_size(32)));
   using Mask = decltype(Pack{} < Pack{});
+  using Whole = Mask;  ///< numbers of nodes: a float counts to 2^24 alone
   static constexpr int width = 8;
-  static constexpr Mask numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+  static constexpr Whole numbers = {0, 1, 2, 3, 4, 5, 6, 7};
   static constexpr float round_to_whole = 0x1.8p23F;
 };
 
@@ -48,6 +48,8 @@ template <class Real>
 using Pack = typename Lanes<Real>::Pack;
 template <class Real>
 using Mask = typename Lanes<Real>::Mask;
+template <class Real>
+using Whole = typename Lanes<Real>::Whole;
 
 using PackD = Pack<double>;
 using PackF = Pack<float>;
@@ -59,8 +61,8 @@ MPM_INLINE Pack<Real> all(Real v) {
 
 /// The same for whole numbers.
 template <class Real>
-MPM_INLINE Mask<Real> all_whole(std::int32_t v) {
-  return v - Mask<Real>{};
+MPM_INLINE Whole<Real> all_whole(std::int32_t v) {
+  return static_cast<decltype(Whole<Real>{}[0] + 0)>(v) - Whole<Real>{};
 }
 
 #if defined(__AVX__)
@@ -107,12 +109,21 @@ template <class Real>
 MPM_INLINE Pack<Real> where(Mask<Real> mask, Pack<Real> a) {
   return (Pack<Real>)((Mask<Real>)a & mask);
 }
+/// use.operator()<a>() for a = first ... last - 1, as so many statements: arrays that are indexed by a are
+/// then as good as variables.
+template <int last, int first = 0, class Use>
+MPM_INLINE void each(Use use) {
+  if constexpr (first < last) {
+    use.template operator()<first>();
+    each<last, first + 1>(use);
+  }
+}
+
 /// a.a
 template <int axes, class P>
 MPM_INLINE P square_of(const P* a) {
   P sum = a[0] * a[0];
-#pragma GCC unroll 3
-  for (int k = 1; k < axes; ++k) sum = sum + a[k] * a[k];
+  each<axes, 1>([&]<int k>() __attribute__((always_inline)) { sum = sum + a[k] * a[k]; });
   return sum;
 }
 /// The nearest whole numbers. |a| < 2^22.
@@ -121,20 +132,13 @@ MPM_INLINE Pack<Real> rounded(Pack<Real> a) {
   return (a + Lanes<Real>::round_to_whole) - Lanes<Real>::round_to_whole;
 }
 
-/// Whole numbers 0 ... 2^31 as reals, and back, where one beside the nearest will do.
-template <class Real>
-MPM_INLINE Pack<Real> real_of(Mask<Real> a) {
-  if constexpr (sizeof(Real) == 4) return __builtin_convertvector(a, Pack<Real>);
-  // 2^52 + a, whose last bits are those of a
-  constexpr double two_to_52 = 0x1p52;
-  return (Pack<Real>)(a | (Mask<Real>)all<Real>(two_to_52)) - two_to_52;
-}
-template <class Real>
-MPM_INLINE Mask<Real> whole_of(Pack<Real> a) {
-  if constexpr (sizeof(Real) == 4) return __builtin_convertvector(a, Mask<Real>);
-  constexpr double two_to_52 = 0x1p52;
-  return (Mask<Real>)(a + two_to_52) ^ (Mask<Real>)all<Real>(two_to_52);
-}
+MPM_INLINE Whole<float> larger(Whole<float> a, Whole<float> b) { return a > b ? a : b; }
+MPM_INLINE Whole<float> smaller(Whole<float> a, Whole<float> b) { return a < b ? a : b; }
+/// Whole numbers as reals, and the nearest to a real, or one beside it.
+MPM_INLINE PackD real_of(Whole<double> a) { return a; }
+MPM_INLINE PackF real_of(Whole<float> a) { return __builtin_convertvector(a, PackF); }
+MPM_INLINE Whole<double> whole_of(PackD a) { return rounded<double>(a); }
+MPM_INLINE Whole<float> whole_of(PackF a) { return __builtin_convertvector(a, Whole<float>); }
 
 /// Lane l is from[at[l]].
 MPM_INLINE PackD fetched(const double* from, const std::int32_t* at) {

@@ -43,12 +43,11 @@ void move_nodes(const Nodes<Real, axes>& nodes, int first_row, int last_row, dou
     const P mass = group[M::mass];
     const P inverse = mass > 0 ? 1 / mass : P{};
     P change[axes];
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a) {
+    each<axes>([&]<int a>() __attribute__((always_inline)) {
       change[a] = group[M::change + a] * inverse * dt;
       group[M::velocity + a] = group[M::velocity + a] * inverse + change[a];
       group[M::change + a] = change[a];
-    }
+    });
     group[M::change_square] = square_of<axes>(change);
     group += M::components;
   }

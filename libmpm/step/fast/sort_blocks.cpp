@@ -145,8 +145,8 @@ void Blocks<Real, axes>::fill_empty_lanes(std::size_t b) {
   for (int l = 0; l < width; ++l) {
     if (ids[l] != nobody) continue;
     for (int c = 0; c < columns_; ++c) values[c * width + l] = 0;
-    values[C::node * width + l] = real_of(node_of(b * width + static_cast<std::size_t>(present)) +
-                                          static_cast<std::size_t>(l) - static_cast<std::size_t>(present));
+    const auto neighbour = node_of_real(values[C::node * width + present]);
+    values[C::node * width + l] = real_of_node<Real>(neighbour + l - present);
     if (layout_.gimp)
       for (int a = 0; a < axes; ++a) values[(layout_.half_size() + a) * width + l] = Real(0.5);
   }

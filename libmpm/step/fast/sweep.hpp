@@ -25,28 +25,28 @@ struct Sweep {
     Place<Real> place[chunk_blocks];
   };
 
-  static MPM_INLINE Mask<Real> node_of(const P* f) { return (Mask<Real>)f[C::node]; }
+  static MPM_INLINE Whole<Real> node_of(const P* f) { return (Whole<Real>)f[C::node]; }
 
   static MPM_INLINE void weigh(const P* f, Weights& w) {
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a)
+    each<axes>([&]<int a>() __attribute__((always_inline)) {
       if constexpr (gimp)
         gimp_axis<Real>(f[C::position + a], f[half_size + a], w.value[a], w.slope[a]);
       else
         bspline2_axis<Real>(f[C::position + a], w.value[a], w.slope[a]);
+    });
     if constexpr (has_hoop && gimp) gimp_hoop<Real>(f[C::position], f[half_size], w.hoop);
     if constexpr (has_hoop && !gimp) bspline2_hoop<Real>(f[C::position], w.value[0], f[half_size], w.hoop);
   }
 
   /// 1 / r [1/cells]. Lanes without a particle may lie on the axis.
   static MPM_INLINE P inverse_radius(const P* f, const Nodes& nodes) {
-    // the row by a division that may be off by one, the column without rounding
-    const Mask<Real> stride = all_whole<Real>(nodes.stride), number = node_of(f);
-    const Mask<Real> row = whole_of<Real>(real_of<Real>(number) * (1 / all(static_cast<Real>(nodes.stride))));
-    Mask<Real> column = number - row * stride;
+    const Whole<Real> stride = all_whole<Real>(nodes.stride), number = node_of(f);
+    const P rows = real_of(number) * (1 / all(static_cast<Real>(nodes.stride)));
+    Whole<Real> column = number - stride * whole_of(rows);
+    // where the row is one beside that of the node
     column = column < 0 ? column + stride : column;
     column = column >= stride ? column - stride : column;
-    return 1 / larger(real_of<Real>(column) + f[C::position], all(Real(1e-6)));
+    return 1 / larger(real_of(column) + f[C::position], all(Real(1e-6)));
   }
 
   /// Lanes without a particle see nothing: their state stays what it is.
@@ -79,28 +79,27 @@ struct Sweep {
     Seen<Real, axes> v[axes], dv[axes];
     Real to[axes];
     P change[axes], l[axes][axes], middle[axes][axes];
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a) {
+    each<axes>([&]<int a>() __attribute__((always_inline)) {
       v[a] = see(reader, M::velocity + a, w), dv[a] = see(reader, M::change + a, w);
       to[a] = dt * k.inverse_cell[a];
       change[a] = dv[a].value;
-    }
+    });
     const Real half = 0.5;
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a)
-#pragma GCC unroll 3
-      for (int b = 0; b < axes; ++b) gradient[a * axes + b] = l[a][b] = to[b] * v[a].along[b];
+    each<axes>([&]<int a>() __attribute__((always_inline)) {
+      each<axes>([&]<int b>() __attribute__((always_inline)) {
+        gradient[a * axes + b] = l[a][b] = to[b] * v[a].along[b];
+      });
+    });
 
     // work of the stress that made the forces, on the velocity in the middle of the step
     const P mean = f[C::pressure] + f[C::viscous_pressure];
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a) {
+    each<axes>([&]<int a>() __attribute__((always_inline)) {
       middle[a][a] = l[a][a] - (half * to[a]) * dv[a].along[a];
-#pragma GCC unroll 3
-      for (int b = a + 1; b < axes; ++b)
+      each<axes, a + 1>([&]<int b>() __attribute__((always_inline)) {
         middle[a][b] =
             (l[a][b] + l[b][a]) - ((half * to[b]) * dv[a].along[b] + (half * to[a]) * dv[b].along[a]);
-    }
+      });
+    });
     P power = power_of(f, mean, middle);
     if constexpr (has_hoop) {
       const P per_radius = to[0] * inverse_radius(f, nodes);
@@ -112,13 +111,12 @@ struct Sweep {
     const P heat = half * (square - square_of<axes>(change));
     f[C::energy] += work + heat;
     sums[0] += f[C::initial_volume] * heat;
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a) {
+    each<axes>([&]<int a>() __attribute__((always_inline)) {
       sums[1 + a] += f[C::initial_volume] * change[a];
       f[C::velocity + a] += change[a];
       f[C::position + a] += to[a] * v[a].value;
       if constexpr (gimp) f[half_size + a] *= 1 + l[a][a];
-    }
+    });
     sums[1 + axes] += f[C::initial_volume] * square_of<axes>(f + C::velocity);
   }
 
@@ -126,7 +124,7 @@ struct Sweep {
   /// rows of their band stay where they were: true.
   static bool __attribute__((noinline)) change_nodes(P* f, const Nodes& nodes, int first_row, int last_row) {
     bool broken = false;
-    Mask<Real> number = node_of(f);
+    Whole<Real> number = node_of(f);
     for (int l = 0; l < width; ++l) {
       if (f[C::initial_volume][l] == 0) continue;
       const int old = static_cast<int>(number[l]), row = old / nodes.to_row, in_row = old % nodes.to_row;
@@ -164,11 +162,10 @@ struct Sweep {
     const P mean = f[C::pressure] + f[C::viscous_pressure];
     Given<Real, Space> given;
     P per[axes];
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a) per[a] = volume * k.force[a];
+    each<axes>([&]<int a>() __attribute__((always_inline)) { per[a] = volume * k.force[a]; });
     given.mass = mass;
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a) given.momentum[a] = mass * f[C::velocity + a];
+    each<axes>([&]<int a>()
+                   __attribute__((always_inline)) { given.momentum[a] = mass * f[C::velocity + a]; });
     given.stress[0][0] = (mean - s[0]) * per[0], given.stress[1][1] = (mean - s[1]) * per[1];
     given.stress[0][1] = -s[2] * per[1], given.stress[1][0] = -s[2] * per[0];
     if constexpr (axes == 3) {
@@ -206,7 +203,7 @@ struct Sweep {
     const int columns = band.columns;
     const Real dt = static_cast<Real>(time_step), inverse_dt = static_cast<Real>(1 / time_step);
     Extremes<Real> extremes;
-    Mask<Real> low_node = node_of(reinterpret_cast<const P*>(band.blocks)), high_node = low_node;
+    Whole<Real> low_node = node_of(reinterpret_cast<const P*>(band.blocks)), high_node = low_node;
     constexpr int sum_count = 2 + axes;
     double totals[sum_count] = {};
     bool broken = false;
@@ -244,15 +241,15 @@ struct Sweep {
                     inverse_dt, extremes);
       each_block([&](P * f, int b) __attribute__((always_inline)) {
         Mask<Real> moved = rounded<Real>(f[C::position]) != 0;
-#pragma GCC unroll 2
-        for (int a = 1; a < axes; ++a) moved |= rounded<Real>(f[C::position + a]) != 0;
+        each<axes, 1>([&]<int a>() __attribute__((always_inline)) {
+          moved |= rounded<Real>(f[C::position + a]) != 0;
+        });
         if (__builtin_expect(any(moved), 0)) {
           broken |= change_nodes(f, nodes, band.first_row, band.last_row);
           chunk.place[b] = place_of<Real>(node_of(f));
         }
-        const Mask<Real> number = node_of(f);
-        low_node = number < low_node ? number : low_node;
-        high_node = number > high_node ? number : high_node;
+        low_node = smaller(low_node, node_of(f));
+        high_node = larger(high_node, node_of(f));
         weigh(f, chunk.weights[b]);
       });
       each_block([&](P * f, int b) __attribute__((always_inline)) {
@@ -268,7 +265,7 @@ struct Sweep {
     report.out_of_step += out_of_step;
     report.broken |= broken;
     for (int l = 0; l < width; ++l) {
-      const std::int64_t low = low_node[l], high = high_node[l];
+      const auto low = static_cast<std::int64_t>(low_node[l]), high = static_cast<std::int64_t>(high_node[l]);
       report.lowest_node = low < report.lowest_node ? low : report.lowest_node;
       report.highest_node = high > report.highest_node ? high : report.highest_node;
     }

@@ -29,9 +29,9 @@ struct Place {
 };
 
 template <class Real>
-MPM_INLINE Place<Real> place_of(Mask<Real> node) {
+MPM_INLINE Place<Real> place_of(Whole<Real> node) {
   constexpr int width = Lanes<Real>::width, all_lanes = (1 << width) - 1;
-  const Mask<Real> start = node - Lanes<Real>::numbers;
+  const Whole<Real> start = node - Lanes<Real>::numbers;
   Place<Real> place;
   place.first = static_cast<std::int32_t>(start[0]);
   int away = bits(start != all_whole<Real>(place.first));
@@ -58,11 +58,19 @@ MPM_INLINE Place<Real> place_of(Mask<Real> node) {
   return place;
 }
 
-/// From the lower left node of a stencil to the first one of its line.
-template <class Real, int axes>
-MPM_INLINE std::ptrdiff_t line_of(const Nodes<Real, axes>& nodes, int line) {
-  return axes == 3 ? nodes.to_line(line / 3, line % 3) : nodes.to_line(line, 0);
-}
+/// The lines of a stencil in an array with `each` numbers of a node: how far they are from the first one.
+template <int axes, int each>
+struct Lines {
+  std::ptrdiff_t to_row, to_slice;
+
+  template <class Real>
+  MPM_INLINE explicit Lines(const Nodes<Real, axes>& nodes)
+      : to_row(each * static_cast<std::ptrdiff_t>(nodes.to_row)),
+        to_slice(each * static_cast<std::ptrdiff_t>(nodes.stride)) {}
+  MPM_INLINE std::ptrdiff_t operator[](int line) const {
+    return axes == 3 ? line / 3 * to_row + line % 3 * to_slice : line * to_row;
+  }
+};
 
 /// What a pack sees of a component of the nodes: N, its slopes along the axes [1/cells], and with the weights
 /// of the hoop.
@@ -82,10 +90,10 @@ struct Reader<Real, axes, Order::in_step> {
   static constexpr int components = Motion<axes>::components;
   const Real* line[lines<axes>];
 
-  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Mask<Real>&, const Place<Real>& place) {
+  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Whole<Real>&, const Place<Real>& place) {
+    const Lines<axes, components> to(n);
     const Real* const first = n.motion + components * static_cast<std::ptrdiff_t>(place.first);
-#pragma GCC unroll 9
-    for (int r = 0; r < lines<axes>; ++r) line[r] = first + components * line_of(n, r);
+    each<lines<axes>>([&]<int r>() __attribute__((always_inline)) { line[r] = first + to[r]; });
   }
   MPM_INLINE void operator()(int component, int r, Pack<Real>* column) const {
     const auto* const group = reinterpret_cast<const Pack<Real>*>(line[r]) + component;
@@ -97,13 +105,14 @@ template <class Real, int axes>
 struct Reader<Real, axes, Order::with_strays> {
   static constexpr int components = Motion<axes>::components;
   Reader<Real, axes, Order::in_step> others;
-  const Nodes<Real, axes>& nodes;
+  const Real* motion;
+  Lines<axes, components> to;
   int strays;
   Mask<Real> lane[Place<Real>::most_strays];
   std::int32_t at[Place<Real>::most_strays][3];  ///< of the columns of a stray's first line
 
-  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Mask<Real>& node, const Place<Real>& place)
-      : others(n, node, place), nodes(n), strays(place.strays) {
+  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Whole<Real>& node, const Place<Real>& place)
+      : others(n, node, place), motion(n.motion), to(n), strays(place.strays) {
     for (int s = 0; s < strays; ++s) {
       lane[s] = Lanes<Real>::numbers == all_whole<Real>(place.stray[s]);
       for (int i = 0; i < 3; ++i)
@@ -113,7 +122,7 @@ struct Reader<Real, axes, Order::with_strays> {
   }
   MPM_INLINE void operator()(int component, int r, Pack<Real>* column) const {
     others(component, r, column);
-    const Real* const from = nodes.motion + components * line_of(nodes, r) + component * Lanes<Real>::width;
+    const Real* const from = motion + to[r] + component * Lanes<Real>::width;
     for (int s = 0; s < strays; ++s)
       for (int i = 0; i < 3; ++i) column[i] = lane[s] ? all(from[at[s][i]]) : column[i];
   }
@@ -121,17 +130,18 @@ struct Reader<Real, axes, Order::with_strays> {
 
 template <class Real, int axes>
 struct Reader<Real, axes, Order::scattered> {
-  const Nodes<Real, axes>& nodes;
+  const Real* motion;
+  Lines<axes, Motion<axes>::components> to;
   std::int32_t at[3][Lanes<Real>::width];  ///< of the columns of the first line
 
-  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Mask<Real>& node, const Place<Real>&) : nodes(n) {
+  MPM_INLINE Reader(const Nodes<Real, axes>& n, const Whole<Real>& node, const Place<Real>&)
+      : motion(n.motion), to(n) {
     for (int l = 0; l < Lanes<Real>::width; ++l)
       for (int i = 0; i < 3; ++i)
         at[i][l] = static_cast<std::int32_t>(n.motion_at(static_cast<std::int32_t>(node[l]) + i));
   }
   MPM_INLINE void operator()(int component, int r, Pack<Real>* column) const {
-    const Real* const from =
-        nodes.motion + Motion<axes>::components * line_of(nodes, r) + component * Lanes<Real>::width;
+    const Real* const from = motion + to[r] + component * Lanes<Real>::width;
     for (int i = 0; i < 3; ++i) column[i] = fetched(from, at[i]);
   }
 };
@@ -170,13 +180,12 @@ MPM_INLINE Seen<Real, Space::axes> see(const Reader<Real, Space::axes, order>& n
     }
     if constexpr (Space::has_hoop) hoop += w.value[1][j] * weighted(w.hoop, n);
   }
-  Seen<Real, axes> seen;
-  seen.value = weighted(w.value[1], value);
-  seen.along[0] = weighted(w.value[1], slope_x);
-  seen.along[1] = weighted(w.slope[1], value);
-  if constexpr (axes == 3) seen.along[2] = weighted(w.value[1], slope_z);
-  seen.hoop = hoop;
-  return seen;
+  if constexpr (axes == 3)
+    return {weighted(w.value[1], value),
+            {weighted(w.value[1], slope_x), weighted(w.slope[1], value), weighted(w.value[1], slope_z)},
+            hoop};
+  else
+    return {weighted(w.value[1], value), {weighted(w.value[1], slope_x), weighted(w.slope[1], value)}, hoop};
 }
 
 /// What a pack gives to the grid: mass, momentum, and -V s / (rho0 h) by component of the force and axis of
@@ -190,12 +199,12 @@ struct Given {
   MPM_INLINE Given of(Mask<Real> lanes) const {
     Given some;
     some.mass = where<Real>(lanes, mass);
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a) {
+    each<axes>([&]<int a>() __attribute__((always_inline)) {
       some.momentum[a] = where<Real>(lanes, momentum[a]);
-#pragma GCC unroll 3
-      for (int b = 0; b < axes; ++b) some.stress[a][b] = where<Real>(lanes, stress[a][b]);
-    }
+      each<axes>([&]<int b>() __attribute__((always_inline)) {
+        some.stress[a][b] = where<Real>(lanes, stress[a][b]);
+      });
+    });
     some.hoop = Space::has_hoop ? where<Real>(lanes, hoop) : hoop;
     return some;
   }
@@ -221,69 +230,71 @@ struct GivenToLine {
       slope_y = w.slope[1][line];
     }
     mass = weight * g.mass;
-#pragma GCC unroll 3
-    for (int a = 0; a < axes; ++a) {
+    each<axes>([&]<int a>() __attribute__((always_inline)) {
       momentum[a] = weight * g.momentum[a];
       along[a] = weight * g.stress[a][0];
       across[a] = slope_y * g.stress[a][1];
       if constexpr (axes == 3) across[a] += slope_z * g.stress[a][2];
-    }
+    });
     hoop = Space::has_hoop ? weight * g.hoop : g.hoop;
   }
 };
 
-/// Adds what it gives to column i of the line to that column's entry of each sum (Nodes::sums).
-template <class Real, class Space>
+/// Adds what it gives to column i of the line to that column's entry of each sum (Nodes::sums); `first`: in
+/// place of what is there.
+template <bool first, class Real, class Space>
 MPM_INLINE void add_column(const GivenToLine<Real, Space>& g, const PackWeights<Real, Space>& w, int i,
                            Pack<Real>* sums) {
   using S = Sums<Space::axes>;
   const Pack<Real> x = w.value[0][i], slope = w.slope[0][i];
-  sums[3 * S::mass + i] += x * g.mass;
-#pragma GCC unroll 3
-  for (int a = 0; a < Space::axes; ++a) {
-    Pack<Real>& momentum = sums[3 * (S::momentum + a) + i];
+  const auto add = [](Pack<Real> & sum, Pack<Real> more) __attribute__((always_inline)) {
+    sum = first ? more : sum + more;
+  };
+  add(sums[3 * S::mass + i], x * g.mass);
+  each<Space::axes>([&]<int a>() __attribute__((always_inline)) {
+    add(sums[3 * (S::momentum + a) + i], x * g.momentum[a]);
     Pack<Real>& force = sums[3 * (S::force + a) + i];
-    momentum += x * g.momentum[a];
-    force = x * g.across[a] + (slope * g.along[a] + force);
-    if constexpr (Space::has_hoop)
-      if (a == 0) force += w.hoop[i] * g.hoop;
-  }
+    force = x * g.across[a] + (first ? slope * g.along[a] : slope * g.along[a] + force);
+    if constexpr (Space::has_hoop && a == 0) force += w.hoop[i] * g.hoop;
+  });
 }
 
 template <class Real, class Space>
 MPM_INLINE void add_in_step(const Nodes<Real, Space::axes>& nodes, std::int32_t first_node,
                             const PackWeights<Real, Space>& w, const Given<Real, Space>& given) {
   constexpr int axes = Space::axes, entries = Nodes<Real, axes>::entries;
+  const Lines<axes, entries> to(nodes);
   Real* const first = nodes.sums + entries * static_cast<std::ptrdiff_t>(first_node);
 #pragma GCC unroll 9
   for (int r = 0; r < lines<axes>; ++r) {
     const GivenToLine<Real, Space> g(given, w, r);
-    auto* const sums = reinterpret_cast<Pack<Real>*>(first + entries * line_of(nodes, r));
+    auto* const sums = reinterpret_cast<Pack<Real>*>(first + to[r]);
 #pragma GCC unroll 3
-    for (int i = 0; i < 3; ++i) add_column(g, w, i, sums);
+    for (int i = 0; i < 3; ++i) add_column<false>(g, w, i, sums);
   }
 }
 
 /// Of the strays.
 template <class Real, class Space>
-MPM_INLINE void add_one_by_one(const Nodes<Real, Space::axes>& nodes, const Mask<Real>& node,
+MPM_INLINE void add_one_by_one(const Nodes<Real, Space::axes>& nodes, const Whole<Real>& node,
                                const Place<Real>& place, const PackWeights<Real, Space>& w,
                                const Given<Real, Space>& given) {
   constexpr int axes = Space::axes, width = Lanes<Real>::width, entries = Nodes<Real, axes>::entries;
+  const Lines<axes, entries> to(nodes);
   for (int r = 0; r < lines<axes>; ++r) {
     const GivenToLine<Real, Space> g(given, w, r);
-    Pack<Real> sums[entries] = {};
-    for (int i = 0; i < 3; ++i) add_column(g, w, i, sums);
+    Pack<Real> sums[entries];
+    for (int i = 0; i < 3; ++i) add_column<true>(g, w, i, sums);
     for (int s = 0; s < place.strays; ++s) {
       const int l = place.stray[s];
-      Real* const to = nodes.sums + nodes.sum_at(static_cast<std::int32_t>(node[l]) + line_of(nodes, r));
-      for (int e = 0; e < entries; ++e) to[e * width] += reinterpret_cast<const Real*>(sums)[e * width + l];
+      Real* const sum = nodes.sums + nodes.sum_at(static_cast<std::int32_t>(node[l])) + to[r];
+      for (int e = 0; e < entries; ++e) sum[e * width] += reinterpret_cast<const Real*>(sums)[e * width + l];
     }
   }
 }
 
 template <class Real, class Space>
-MPM_INLINE void add(const Nodes<Real, Space::axes>& nodes, const Mask<Real>& node, const Place<Real>& place,
+MPM_INLINE void add(const Nodes<Real, Space::axes>& nodes, const Whole<Real>& node, const Place<Real>& place,
                     const PackWeights<Real, Space>& w, const Given<Real, Space>& given) {
   if (place.in_step()) {
     add_in_step(nodes, place.first, w, given);

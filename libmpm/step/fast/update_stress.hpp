@@ -28,8 +28,9 @@ struct UpdateStress {
   static MPM_INLINE void record(const P* f, const Signal<P>& signal, ExtremePacks& extremes) {
     const P dilation = f[C::dilation], pressure = f[C::pressure];
     P speed = magnitude(f[C::velocity]);
-#pragma GCC unroll 2
-    for (int a = 1; a < axes; ++a) speed = larger(speed, magnitude(f[C::velocity + a]));
+    each<axes, 1>([&]<int a>() __attribute__((always_inline)) {
+      speed = larger(speed, magnitude(f[C::velocity + a]));
+    });
     const P root = signal.viscous * signal.viscous + signal.longitudinal_square;
     const P rest = extremes.signal - (speed + signal.viscous);
     // lanes without a particle do not count
