@@ -22,8 +22,7 @@ struct KernelBenchRow {
                                               ///< than one thread, of time that passed
   double ratio_to_reference = 0;              ///< of the same run
   double bytes_per_particle = 0;              ///< particles, nodes and what the step keeps beside them
-  double roofline_share = 0;  ///< of what the roofline allows; 0 for the reference, for more threads, and for
-                              ///< axial symmetry, whose operations are not counted
+  double roofline_share = 0;  ///< of what the roofline allows; 0 for the reference and for more threads
   double sort_share = 0, grid_share = 0;  ///< of the time of a step; the rest is the pass over the particles
 };
 
