@@ -9,7 +9,6 @@
 namespace analysis {
 namespace {
 
-constexpr FigureSize figure_size{900, 600};
 /// The axes end here; what is beyond is drawn on their edge.
 constexpr double least_half_width = 1e-3, least_difference = 1e-5, most = 100;
 

@@ -31,6 +31,8 @@ class FigureFolder {
 struct FigureSize {
   int width = 900, height = 600;
 };
+/// Of figures with one pair of axes.
+inline constexpr FigureSize figure_size{900, 600};
 
 /// Draws `body` (everything but terminal and output) to stem.png and stem.svg. Both are made in the folder
 /// and then renamed: an older figure stays until the newer one is whole. Data files are named relative to the

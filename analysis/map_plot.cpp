@@ -19,7 +19,6 @@ namespace {
 
 constexpr int cells = 90;                 ///< of the surface, along each axis
 constexpr std::size_t most_points = 800;  ///< of a spline: its equations take the cube of their number
-constexpr FigureSize figure_size{900, 600};
 
 /// A point of the map in coordinates from 0 to 1.
 struct Place {

@@ -23,8 +23,6 @@ constexpr std::array<int, 6> marks = {7, 5, 9, 13, 11, 15};
 constexpr int marks_on_a_curve = 9;
 constexpr int fit_samples = 200;
 
-constexpr FigureSize figure_size{900, 600};
-
 std::string_view colour(std::size_t i) { return colours[i % colours.size()]; }
 int mark(std::size_t i) { return marks[i % marks.size()]; }
 /// Solid first; dashes once the colours have all been used.
