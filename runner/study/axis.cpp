@@ -20,7 +20,7 @@ struct Form {
   std::string_view whole;                ///< for messages
   std::optional<Spread> distribution = {};
 };
-const std::vector<Form>& forms() {
+const std::vector<Form>& axis_forms() {
   static const std::vector<Form> all = {
       {"values", {"unit"}, "values = [...]"},
       {"from", {"to", "count", "spacing", "unit"}, "from = ..., to = ..., count = ..."},
@@ -29,10 +29,10 @@ const std::vector<Form>& forms() {
       {"normal", {"unit"}, "normal = [mean, deviation]", Spread::normal}};
   return all;
 }
-std::string all_forms() {
+std::string all_axis_forms() {
   std::string text;
-  for (const Form& form : forms())
-    text += (text.empty() ? "" : &form == &forms().back() ? " or " : ", ") + std::string(form.whole);
+  for (const Form& form : axis_forms())
+    text += (text.empty() ? "" : &form == &axis_forms().back() ? " or " : ", ") + std::string(form.whole);
   return text + "; and unit";
 }
 
@@ -45,7 +45,7 @@ class SweepTable {
 
   bool read(Axis& axis) {
     const Form* chosen = nullptr;
-    for (const Form& form : forms()) {
+    for (const Form& form : axis_forms()) {
       if (!table_.find(form.key)) continue;
       if (chosen) {
         refuse(whole_, {"both " + std::string(chosen->key) + " and " + std::string(form.key),
@@ -54,9 +54,9 @@ class SweepTable {
       }
       chosen = &form;
     }
-    if (!chosen && table_.find("to")) chosen = &forms()[1];  // what is missing is said there
+    if (!chosen && table_.find("to")) chosen = &axis_forms()[1];  // what is missing is said there
     if (!chosen) {
-      refuse(whole_, {"no sweep", "allowed: " + all_forms()});
+      refuse(whole_, {"no sweep", "allowed: " + all_axis_forms()});
       for (const Entry& entry : table_.entries) refuse_key(nullptr, entry);
       return false;
     }
@@ -86,7 +86,7 @@ class SweepTable {
   /// A key that does not go with the form that the sweep has; null: it has none.
   void refuse_key(const Form* form, const Entry& entry) {
     std::vector<std::string_view> all;
-    for (const Form& other : forms()) {
+    for (const Form& other : axis_forms()) {
       all.push_back(other.key);
       for (const std::string_view beside : other.beside)
         if (std::ranges::find(all, beside) == all.end()) all.push_back(beside);

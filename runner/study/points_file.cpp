@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "runner/study/quantity_text.hpp"
 #include "runner/study/schema.hpp"
 
 namespace mpmstudy {
@@ -15,12 +16,6 @@ struct Cell {
   std::string text;
   Place place;
 };
-
-/// What is before and behind it is no part of a cell.
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? std::string_view{} : text.substr(first, last + 1 - first);
-}
 
 std::uint32_t characters(std::string_view text) {
   return static_cast<std::uint32_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));

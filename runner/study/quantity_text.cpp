@@ -7,12 +7,6 @@
 namespace mpmstudy {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 constexpr std::string_view infinite = "infinite";
 
 bool may_be_infinite(const Expected& expected) {
@@ -55,6 +49,12 @@ Number convert(std::string_view number, const Conversion& conversion, const Expe
 }
 
 }  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
 
 std::string allowed_quantity(const Expected& expected) {
   const std::string number = "a " + std::string(adjective(expected.range)) + "number";

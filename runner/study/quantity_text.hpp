@@ -21,6 +21,9 @@ struct Expected {
   bool difference = false;
 };
 
+/// Without the blanks and tabs before and behind it.
+std::string_view trimmed(std::string_view);
+
 /// Reads one value: "10 um", or a plain number where the unit is "1".
 Number read_quantity(const Value&, const Expected&, const Units&);
 
