@@ -154,18 +154,18 @@ Eigen::VectorXd input_of(const Study& study, const ResultSurface& surface, const
   return input;
 }
 
-struct Answer {
+struct PredictedValue {
   const ResultSurface* surface;
   double value, low, high;
   std::vector<std::string> outside;
 };
 
-std::vector<Answer> answers_of(const Study& study, Surfaces& surfaces, const std::vector<std::string>& names,
-                               const Asked& place) {
-  std::vector<Answer> answers;
+std::vector<PredictedValue> answers_of(const Study& study, Surfaces& surfaces,
+                                       const std::vector<std::string>& names, const Asked& place) {
+  std::vector<PredictedValue> answers;
   for (const std::string& name : names) {
     const ResultSurface& surface = surfaces.of(name, place.words);
-    Answer answer{&surface, 0, 0, 0, {}};
+    PredictedValue answer{&surface, 0, 0, 0, {}};
     const auto [value, deviation] = surface.process.at(input_of(study, surface, place, answer.outside));
     answer.value = value;
     answer.low = value - half_width_95 * deviation;
@@ -175,7 +175,7 @@ std::vector<Answer> answers_of(const Study& study, Surfaces& surfaces, const std
   return answers;
 }
 
-Json to_json(const Answer& a) {
+Json to_json(const PredictedValue& a) {
   const auto& cross = a.surface->process.cross_validation();
   return {{"value", a.value},
           {"low", a.low},
@@ -188,23 +188,25 @@ Json to_json(const Answer& a) {
           {"left_out_covered", cross.covered}};
 }
 
-void print_text(const Study& study, const std::vector<Answer>& answers, const std::vector<std::string>& at) {
+void print_text(const Study& study, const std::vector<PredictedValue>& answers,
+                const std::vector<std::string>& at) {
   fmt::print("{} at {}\n", study.name, listed(at));
-  for (const Answer& a : answers)
+  for (const PredictedValue& a : answers)
     fmt::print("  {}  {} (95 %)\n{}", a.surface->result,
                interval_text({a.value, a.low, a.high}, a.surface->unit, ", "), quality_text(*a.surface));
 }
 
 void print_csv(const std::vector<std::string>& inputs, const std::vector<std::string>& words,
                const Study& study, const std::vector<Asked>& places,
-               const std::vector<std::vector<Answer>>& answers) {
+               const std::vector<std::vector<PredictedValue>>& answers) {
   std::string head;
   for (const std::string& word : words) head += word + ",";
   for (const std::string& name : inputs) {
     const std::string unit = quantity_unit(study, name);
     head += name + (unit == "1" ? "" : " [" + unit + "]") + ",";
   }
-  for (const Answer& a : answers.front()) head += fmt::format("{0},{0}_low,{0}_high,", a.surface->result);
+  for (const PredictedValue& a : answers.front())
+    head += fmt::format("{0},{0}_low,{0}_high,", a.surface->result);
   head += "outside";
   fmt::print("{}\n", head);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -215,7 +217,7 @@ void print_csv(const std::vector<std::string>& inputs, const std::vector<std::st
     }
     for (const std::string& name : inputs) line += shortest(places[i].quantities.at(name)) + ",";
     bool outside = false;
-    for (const Answer& a : answers[i]) {
+    for (const PredictedValue& a : answers[i]) {
       line += fmt::format("{},{},{},", shortest(a.value), shortest(a.low), shortest(a.high));
       outside = outside || !a.outside.empty();
     }
@@ -300,13 +302,13 @@ int run_predict(const PredictOptions& options) {
   mistakes.throw_if_any();
   if (places.empty()) throw StudyError("--points: " + options.points + ": has no points");
   Surfaces surfaces(study, results);
-  std::vector<std::vector<Answer>> answers;
+  std::vector<std::vector<PredictedValue>> answers;
   for (const Asked& one : places) answers.push_back(answers_of(study, surfaces, names, one));
   if (options.json) {
     Json json = Json::array();
     for (const auto& of_place : answers) {
       Json one;
-      for (const Answer& a : of_place) one[a.surface->result] = to_json(a);
+      for (const PredictedValue& a : of_place) one[a.surface->result] = to_json(a);
       json.push_back(std::move(one));
     }
     fmt::print("{}\n", Json{{"study", study.name}, {"predictions", std::move(json)}}.dump(2));
@@ -316,7 +318,7 @@ int run_predict(const PredictOptions& options) {
     print_text(study, answers.front(), options.at);
   } else {
     print_csv(inputs, swept_words(study), study, places, answers);
-    for (const Answer& a : answers.front())
+    for (const PredictedValue& a : answers.front())
       fmt::print(stderr, "{}\n{}", a.surface->result, quality_text(*a.surface));
   }
   constexpr std::size_t most = 5;
