@@ -149,7 +149,7 @@ TEST(Kinds, NothingElseAsksASceneForItsKind) {
 // What is added last has no word, and would be told as nothing.
 TEST(Enumerators, AreCounted) {
   EXPECT_EQ(mpm::enumerators<mpm::Tension>(), 3u);
-  EXPECT_EQ(mpm::enumerators<mpm::ShapeFunction>(), 4u);
+  EXPECT_EQ(mpm::enumerators<mpm::ShapeFunction>(), 5u);
   EXPECT_EQ(mpm::enumerators<mpm::Kernel>(), 2u);
 }
 
