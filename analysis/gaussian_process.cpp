@@ -220,7 +220,7 @@ void GaussianProcess::solve() {
     const double q = inverse(i, i) - one_(i) * one_(i) / one_.sum();
     const double error = weights_(i) / q;
     squares += error * error;
-    covered += std::abs(error) <= 1.959963984540054 / std::sqrt(q);
+    covered += std::abs(error) <= half_width_95 / std::sqrt(q);
   }
   const double total = y_.squaredNorm();
   cross_validation_ = {std::sqrt(squares / static_cast<double>(n)) * scale_,

@@ -10,6 +10,9 @@
 
 namespace analysis {
 
+/// Half width of a 95 % interval over the standard deviation.
+inline constexpr double half_width_95 = 1.959963984540054;
+
 struct ValueWithDeviation {
   double value = 0, deviation = 0;  ///< of the curve itself, without the scatter of single runs
 };

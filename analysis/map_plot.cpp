@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -99,12 +98,9 @@ std::pair<double, double> crossing(const std::vector<Place>& hull, double x) {
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Place &a = hull[i], &b = hull[(i + 1) % hull.size()];
     if (x < std::min(a.x, b.x) || x > std::max(a.x, b.x)) continue;
-    for (const double y : a.x == b.x ? std::array{a.y, b.y}
-                                     : std::array{a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x),
-                                                  a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)}) {
-      low = std::min(low, y);
-      high = std::max(high, y);
-    }
+    const double on_edge = a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+    low = std::min(low, a.x == b.x ? std::min(a.y, b.y) : on_edge);
+    high = std::max(high, a.x == b.x ? std::max(a.y, b.y) : on_edge);
   }
   return {low, high};
 }

@@ -4,13 +4,16 @@
 
 namespace mpm {
 
-inline walls::WallNode<double> wall_node(Node& n) {
-  return {n.mass, {&n.velocity.x(), &n.velocity.y()}, {&n.acceleration.x(), &n.acceleration.y()}};
+template <int axes>
+walls::WallNode<double, axes> wall_node(double& mass, Vec<axes>& v, Vec<axes>& a) {
+  walls::WallNode<double, axes> node{mass, {}, {}};
+  for (int k = 0; k < axes; ++k)
+    node.v[static_cast<std::size_t>(k)] = &v[k], node.a[static_cast<std::size_t>(k)] = &a[k];
+  return node;
 }
-inline walls::WallNode<double, 3> wall_node(BasicNode<3>& n) {
-  return {n.mass,
-          {&n.velocity.x(), &n.velocity.y(), &n.velocity.z()},
-          {&n.acceleration.x(), &n.acceleration.y(), &n.acceleration.z()}};
+template <int axes>
+walls::WallNode<double, axes> wall_node(BasicNode<axes>& n) {
+  return wall_node<axes>(n.mass, n.velocity, n.acceleration);
 }
 
 /// The nodes of a Grid, for walls.hpp.

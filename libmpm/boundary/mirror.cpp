@@ -28,23 +28,13 @@ void reflect_row(BasicGrid<3>& grid, int row, int layers) {
 }
 
 bool at_open_face(const Grid& grid, const OpenSides& open, Floor floor, int top_row) {
-  const auto has_mass = [&](int i, int j) { return grid.at(i, j).mass > 0; };
-  return walls::at_sides(has_mass, open.left, open.right, grid.columns(), 0, top_row) ||
-         (floor == Floor::open && walls::at_floor(has_mass, grid.columns()));
+  return walls::at_open_face([&](int i, int j, int) { return grid.at(i, j).mass > 0; }, open,
+                             floor == Floor::open, grid.columns(), 0, 0, top_row);
 }
 
 bool at_open_face(const BasicGrid<3>& grid, const OpenSides& open, Floor floor, int top_row) {
-  for (int k = 0; k <= grid.slices(); ++k) {
-    const auto has_mass = [&](int i, int j) { return grid.at(i, j, k).mass > 0; };
-    if (walls::at_sides(has_mass, open.left, open.right, grid.columns(), 0, top_row) ||
-        (floor == Floor::open && walls::at_floor(has_mass, grid.columns())))
-      return true;
-  }
-  for (int i = 0; i <= grid.columns(); ++i)
-    if (walls::at_sides([&](int k, int j) { return grid.at(i, j, k).mass > 0; }, open.front, open.back,
-                        grid.slices(), 0, top_row))
-      return true;
-  return false;
+  return walls::at_open_face([&](int i, int j, int k) { return grid.at(i, j, k).mass > 0; }, open,
+                             floor == Floor::open, grid.columns(), grid.slices(), 0, top_row);
 }
 
 }  // namespace mpm

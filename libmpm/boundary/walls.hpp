@@ -79,6 +79,26 @@ bool at_floor(const HasMass& has_mass, int right) {
   return false;
 }
 
+/// Whether there is mass at an open face: `sides` as of OpenSides (boundary/mirror.hpp), the rows [first,
+/// last], and the floor where it is open. `has_mass`: of node (i, j, k); of two axes `slices` and k are 0,
+/// and there is no front and no back.
+template <class Sides, class HasMass>
+bool at_open_face(const HasMass& has_mass, const Sides& sides, bool floor_is_open, int columns, int slices,
+                  int first, int last) {
+  for (int k = 0; k <= slices; ++k) {
+    const auto in_slice = [&](int i, int j) { return has_mass(i, j, k); };
+    if (at_sides(in_slice, sides.left, sides.right, columns, first, last) ||
+        (floor_is_open && at_floor(in_slice, columns)))
+      return true;
+  }
+  if (slices == 0 || (!sides.front && !sides.back)) return false;
+  for (int i = 0; i <= columns; ++i)
+    if (at_sides([&](int k, int j) { return has_mass(i, j, k); }, sides.front, sides.back, slices, first,
+                 last))
+      return true;
+  return false;
+}
+
 /// Gives a node another velocity. a is the change of v over `step`.
 template <class Nodes, class Velocity, class Real>
 void move_to(Nodes nodes, int i, int j, const Velocity& velocity, Real step) {

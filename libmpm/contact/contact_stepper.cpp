@@ -42,13 +42,11 @@ std::unique_ptr<BasicStepper<Space::axes>> stepper_in(const Scene& s) {
 
 }  // namespace
 
-template <>
-std::unique_ptr<BasicStepper<2>> contact_stepper(const Scene& s) {
-  return space::with_space(s.space, [&]<class Space>(Space) { return stepper_in<Space>(s); });
+template <int axes>
+std::unique_ptr<BasicStepper<axes>> contact_stepper(const Scene& s) {
+  return space::with_space<axes>(s.space, [&]<class Space>(Space) { return stepper_in<Space>(s); });
 }
-template <>
-std::unique_ptr<BasicStepper<3>> contact_stepper(const Scene& s) {
-  return stepper_in<space::ThreeD>(s);
-}
+template std::unique_ptr<BasicStepper<2>> contact_stepper(const Scene&);
+template std::unique_ptr<BasicStepper<3>> contact_stepper(const Scene&);
 
 }  // namespace mpm

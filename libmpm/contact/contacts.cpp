@@ -101,9 +101,7 @@ bool has_contact(const Scene& s) {
 namespace {
 
 void check_rules(const Composition& all, Report& report) {
-  const auto known = [&](const std::string& name) {
-    return std::ranges::find(all.bodies, name, &ComposedBody::name) != all.bodies.end();
-  };
+  const auto known = [&](const std::string& name) { return all.index_of(name) < all.bodies.size(); };
   for (std::size_t k = 0; k < all.contacts.size(); ++k) {
     const ContactRule& rule = all.contacts[k];
     const std::string what = "contact " + std::to_string(k + 1);

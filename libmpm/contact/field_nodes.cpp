@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "libmpm/boundary/walls.hpp"
+#include "libmpm/boundary/grid_nodes.hpp"
 
 namespace mpm {
 namespace {
-
-template <int axes>
-walls::WallNode<double, axes> wall_view(double& size, Vec<axes>& v, Vec<axes>& a) {
-  walls::WallNode<double, axes> view{size, {}, {}};
-  for (int k = 0; k < axes; ++k)
-    view.v[static_cast<std::size_t>(k)] = &v[k], view.a[static_cast<std::size_t>(k)] = &a[k];
-  return view;
-}
 
 /// An axis-parallel box.
 template <int axes>
@@ -33,18 +25,6 @@ struct Box {
 };
 
 }  // namespace
-
-template <int axes>
-auto FieldNodes<axes>::place(std::size_t node) const -> Place {
-  const auto at = static_cast<int>(node);
-  const int ghosts = grid_->ghosts, i = at % grid_->stride() - ghosts, rest = at / grid_->stride();
-  if constexpr (axes == 2)
-    return {i, rest - ghosts};
-  else {
-    const int layers = grid_->slices() + 1 + 2 * ghosts;
-    return {i, rest / layers - ghosts, rest % layers - ghosts};
-  }
-}
 
 template <int axes>
 std::size_t FieldNodes<axes>::index_of(const Place& at) const {
@@ -199,7 +179,7 @@ void FieldNodes<axes>::share_images(const BasicState<axes>& s) {
   while (!grown_.empty()) {
     const auto at = static_cast<std::size_t>(grown_.back());
     grown_.pop_back();
-    each_image(s, place(shared_[at].node), [&](const Place& image) {
+    each_image(s, grid_->place(shared_[at].node), [&](const Place& image) {
       const std::size_t node = index_of(image);
       if (node == owner_.size()) return;
       bool grows = false;
@@ -245,13 +225,11 @@ void FieldNodes<axes>::reflect() {
     FieldNode<axes>* f = fields_of(at);
     for (std::uint32_t k = 0; k < at.count; ++k, ++f) use(*f, k);
   };
-  const auto mass_of = [](FieldNode<axes>& f) {
-    return wall_view<axes>(f.node.mass, f.node.velocity, f.node.acceleration);
-  };
-  const auto look_of = [](FieldNode<axes>& f) { return wall_view<axes>(f.size, f.gradient, f.moment); };
+  const auto mass_of = [](FieldNode<axes>& f) { return wall_node(f.node); };
+  const auto look_of = [](FieldNode<axes>& f) { return wall_node<axes>(f.size, f.gradient, f.moment); };
   for (const Mirror& m : mirrors_)
     for (const SharedNode<axes>& at : shared_) {
-      Place there = place(at.node);
+      Place there = place(at);
       int& k = there[static_cast<std::size_t>(m.axis)];
       const int off = (k - m.at) * m.inwards;
       if (off < 0 || off > m.layers) continue;
@@ -288,7 +266,7 @@ auto FieldNodes<axes>::folded(const Place& at) const -> Folded {
 template <int axes>
 bool FieldNodes<axes>::at_open_face(const BasicState<axes>& s, int top_row) const {
   for (const SharedNode<axes>& at : shared_) {
-    const Place p = place(at.node);
+    const Place p = place(at);
     if (p[1] < 0 || p[1] > top_row) continue;
     bool open = (s.open.left && p[0] == 0) || (s.open.right && p[0] == s.grid.columns()) ||
                 (s.floor == Floor::open && p[1] == 0);

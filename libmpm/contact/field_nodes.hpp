@@ -47,7 +47,7 @@ template <int axes>
 class FieldNodes {
  public:
   using Node = BasicNode<axes>;
-  using Place = std::array<int, axes>;  ///< (i, j), of three axes (i, j, k)
+  using Place = typename BasicGrid<axes>::Place;
 
   explicit FieldNodes(Contacts contacts) : contacts_(std::move(contacts)) {}
 
@@ -107,7 +107,7 @@ class FieldNodes {
   FieldNode<axes>* field_at(const SharedNode<axes>& at, int field);
   /// Null: the node is not there, or not shared.
   SharedNode<axes>* shared_at(const Place&);
-  Place place(const SharedNode<axes>& at) const { return place(at.node); }
+  Place place(const SharedNode<axes>& at) const { return grid_->place(at.node); }
   /// Where what lies behind mirrors has its image before them, and the signs of a vector there.
   struct Folded {
     Place place;
@@ -130,7 +130,6 @@ class FieldNodes {
   };
 
   std::size_t index(const Node& n) const { return static_cast<std::size_t>(&n - grid_->nodes().data()); }
-  Place place(std::size_t node) const;
   /// Outside of the grid: as many as it has nodes.
   std::size_t index_of(const Place&) const;
   FieldNode<axes>* find(std::int32_t owner, int field) {

@@ -18,7 +18,7 @@ constexpr double least_share = 1e-5;
 constexpr double preference = 4;
 /// Where more than two bodies meet.
 constexpr int most_sweeps = 30;
-constexpr double small_change = 1e-10;
+constexpr double small_change = 1e-10;  // of an impulse, over what it is [1]
 
 template <int axes>
 Vec<axes> tangential(const ContactRule& rule, const Vec<axes>& holding, double normal) {
@@ -243,7 +243,7 @@ struct NodesOfField {
 template <int axes>
 void FieldNodes<axes>::push_off_wall(double dt) {
   for (const SharedNode<axes>& at : shared_) {
-    const Place p = place(at.node);
+    const Place p = place(at);
     if (p[1] != 0) continue;
     for (std::uint32_t k = 0; k < at.count; ++k)
       walls::push_off_wall(NodesOfField<axes>{*this, fields_[at.first + k].field, p[axes - 1]}, p[0], p[0],

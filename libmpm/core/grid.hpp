@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -61,14 +62,22 @@ class BasicGrid {
   void grow_to_row(int top);
   void clear();
 
-  /// Where a node of this grid is [m].
-  Vector position(const NodeType& n) const {
-    const auto at = static_cast<int>(&n - nodes_.data());
+  /// (i, j), of three axes (i, j, k), of the node with this index().
+  using Place = std::array<int, axes>;
+  Place place(std::size_t index) const {
+    const auto at = static_cast<int>(index);
     const int i = at % stride_ - ghosts, rest = at / stride_;
     if constexpr (axes == 2)
-      return origin_ + cell_.cwiseProduct(Vector(i, rest - ghosts));
+      return {i, rest - ghosts};
     else
-      return origin_ + cell_.cwiseProduct(Vector(i, rest / layers_ - ghosts, rest % layers_ - ghosts));
+      return {i, rest / layers_ - ghosts, rest % layers_ - ghosts};
+  }
+  /// Where a node of this grid is [m].
+  Vector position(const NodeType& n) const {
+    const Place at = place(static_cast<std::size_t>(&n - nodes_.data()));
+    Vector steps;
+    for (int k = 0; k < axes; ++k) steps[k] = at[static_cast<std::size_t>(k)];
+    return origin_ + cell_.cwiseProduct(steps);
   }
 
   std::vector<NodeType>& nodes() { return nodes_; }

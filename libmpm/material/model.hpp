@@ -74,6 +74,20 @@ struct Point {
   N* own;               ///< the numbers of the model's own columns (StateColumn)
 };
 
+/// At a volume, P = cold + thermal e.
+template <class N>
+struct PressureLine {
+  N cold;     ///< [Pa]
+  N thermal;  ///< [kg/m^3]
+};
+
+/// What an equation of state gives at a volume.
+template <class N>
+struct LinearResponse {
+  PressureLine<N> line;
+  N sound_square;  ///< of the bulk sound on an isentrope, dP/drho|e + (P/rho^2) dP/de [m^2/s^2]
+};
+
 /// What a strength sees of pressure and heat, if it says asks_for_state.
 template <class N>
 struct ThermalState {

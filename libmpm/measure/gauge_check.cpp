@@ -80,18 +80,16 @@ class GaugeCheck {
     add("body", gauge_.body, allowed);
   }
   void contact() {
-    const auto& bodies = scene_.composition.bodies;
-    std::vector<std::size_t> found;
+    const Composition& all = scene_.composition;
+    bool known = true;
     for (const std::string& name : {gauge_.first, gauge_.second}) {
-      const auto body = std::ranges::find(bodies, name, &ComposedBody::name);
-      if (body != bodies.end())
-        found.push_back(static_cast<std::size_t>(body - bodies.begin()));
-      else
-        add("contact", name, "names of two bodies");
+      if (all.index_of(name) < all.bodies.size()) continue;
+      add("contact", name, "names of two bodies");
+      known = false;
     }
-    if (found.size() < 2) return;
+    if (!known) return;
     const Contacts contacts(scene_);
-    if (contacts.field_of(found[0]) == contacts.field_of(found[1]))
+    if (contacts.field_of(all.index_of(gauge_.first)) == contacts.field_of(all.index_of(gauge_.second)))
       add("contact", gauge_.first + ", " + gauge_.second, "two bodies that are not welded to each other");
   }
   /// The impulse of a step is of the floor, and of a mirror above.

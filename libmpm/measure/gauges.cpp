@@ -200,9 +200,7 @@ std::function<double(const BasicState<axes>&)> number_of_body(
 template <int axes>
 typename BasicParticles<axes>::Range body_range(const Scene& scene, const BasicState<axes>& s,
                                                 const std::string& name) {
-  const auto& bodies = scene.composition.bodies;
-  const auto at =
-      static_cast<std::size_t>(std::ranges::find(bodies, name, &ComposedBody::name) - bodies.begin());
+  const std::size_t at = scene.composition.index_of(name);
   if (name == all_bodies || at >= s.particles.body_ends.size()) return {0, s.particles.size()};
   return s.particles.range_of_body(at);
 }
@@ -215,17 +213,15 @@ BasicGauges<axes>::BasicGauges(const Scene& scene, const State& state) : gauges_
     histories_.push_back({gauge.name, std::string(quantity.unit_in(scene.space)), {}, {}});
     stop_times_.push_back(not_yet);
   }
-  for (std::size_t g = 0; g < gauges_.size(); ++g) {
-    if (gauges_[g].target != GaugeTarget::contact) continue;
-    const auto& bodies = scene.composition.bodies;
-    const Contacts contacts(scene);
-    const auto field = [&](const std::string& name) {
-      return contacts.field_of(
-          static_cast<std::size_t>(std::ranges::find(bodies, name, &ComposedBody::name) - bodies.begin()));
-    };
-    contacts_.push_back({g, field(gauges_[g].first), field(gauges_[g].second), axis_of(gauges_[g].of),
-                         gauges_[g].of.starts_with("force")});
-  }
+  if (std::ranges::find(gauges_, GaugeTarget::contact, &Gauge::target) == gauges_.end()) return;
+  const Contacts contacts(scene);
+  const auto field = [&](const std::string& body) {
+    return contacts.field_of(scene.composition.index_of(body));
+  };
+  for (std::size_t g = 0; g < gauges_.size(); ++g)
+    if (const Gauge& gauge = gauges_[g]; gauge.target == GaugeTarget::contact)
+      contacts_.push_back(
+          {g, field(gauge.first), field(gauge.second), axis_of(gauge.of), gauge.of.starts_with("force")});
 }
 
 template <int axes>

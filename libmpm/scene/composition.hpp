@@ -1,8 +1,10 @@
 #pragma once
 /// What a scene of the kind "bodies" is made of, as plain data in SI units.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libmpm/core/enumerators.hpp"
@@ -117,6 +119,11 @@ struct Composition {
 
   double gravity_rise = 0;  ///< over which gravity grows from nothing, evenly [s]
   bool has_gravity() const { return gravity != Triple{}; }
+  /// Of the body of that name; as many as there are bodies where there is none.
+  std::size_t index_of(std::string_view name) const {
+    const auto has_name = [&](const ComposedBody& b) { return b.name == name; };
+    return static_cast<std::size_t>(std::find_if(bodies.begin(), bodies.end(), has_name) - bodies.begin());
+  }
   Face face(Side side) const { return faces[static_cast<std::size_t>(side)]; }
 };
 

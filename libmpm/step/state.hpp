@@ -60,7 +60,7 @@ struct BasicState {
   std::optional<int> ceiling{};
   OpenSides open{};
   Vec<axes> gravity = Vec<axes>::Zero();  ///< acceleration of all particles, for the plain step [m/s^2]
-  double gravity_rise = 0;  ///< time over which it grows from nothing [s]
+  double gravity_rise = 0;                ///< time over which it grows from nothing [s]
   bool has_rigid_bodies = false;          ///< which are no particles, and may do work on those
 };
 using State = BasicState<2>;

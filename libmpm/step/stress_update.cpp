@@ -4,16 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "libmpm/core/deviator_numbers.hpp"
 #include "libmpm/material/list.hpp"
 
 namespace mpm {
 namespace {
-
-/// The numbers that a deviator is kept in.
-Deviator<double> numbers_of(const PlaneTensor& t) { return {t.xx, t.yy, t.xy}; }
-FullDeviator<double> numbers_of(const FullTensor& t) { return {t.xx, t.yy, t.xy, t.xz, t.yz}; }
-PlaneTensor tensor_of(const Deviator<double>& s) { return {s.xx, s.yy, -(s.xx + s.yy), s.xy}; }
-FullTensor tensor_of(const FullDeviator<double>& s) { return {s.xx, s.yy, -(s.xx + s.yy), s.xy, s.xz, s.yz}; }
 
 Gradient<double> gradient_of(const Mat2& l) { return {l(0, 0), l(0, 1), l(1, 0), l(1, 1)}; }
 FullGradient<double> gradient_of(const Mat3& l) {
@@ -81,11 +76,8 @@ void update_stress(BasicState<axes>& state, const MaterialModels& materials, dou
   for (std::size_t m = 0; m < materials.of.size(); ++m)
     with_model<double>(materials.of[m], [&](const auto& model, std::size_t) {
       const auto range = state.particles.range_of(m);
-      if constexpr (axes == 3)
-        update<space::ThreeD>(state, model, range, dt, report);
-      else
-        space::with_space(state.space,
-                          [&]<class Space>(Space) { update<Space>(state, model, range, dt, report); });
+      space::with_space<axes>(state.space,
+                              [&]<class Space>(Space) { update<Space>(state, model, range, dt, report); });
     });
 }
 

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "runner/study/characters.hpp"
+
 namespace mpmstudy {
 namespace {
 
@@ -96,11 +98,6 @@ class JsonSink : public RowSink {
   bool first_ = true;
 };
 
-/// Columns as seen on a terminal: a UTF-8 continuation byte takes no place.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 class TableSink : public RowSink {
  public:
   explicit TableSink(std::ostream& out) : out_(out) {}
@@ -119,7 +116,7 @@ class TableSink : public RowSink {
   void end() override {
     std::vector<std::size_t> widths(right_.size(), 0);
     for (const auto& line : lines_)
-      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+      for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], characters_in(line[i]));
     for (std::size_t n = 0; n < lines_.size(); ++n) {
       print(lines_[n], widths);
       if (n == 0) {
@@ -145,7 +142,7 @@ class TableSink : public RowSink {
   void print(const std::vector<std::string>& line, const std::vector<std::size_t>& widths) {
     std::string text;
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const std::string blanks(widths[i] - width(line[i]), ' ');
+      const std::string blanks(widths[i] - characters_in(line[i]), ' ');
       text += (i ? "  " : "") + (right_[i] ? blanks + line[i] : line[i] + blanks);
     }
     while (!text.empty() && text.back() == ' ') text.pop_back();

@@ -10,17 +10,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "analysis/units.hpp"
-#include "libmpm/measure/results.hpp"
 #include "runner/catalog/row_format.hpp"
 #include "runner/cli/last_run.hpp"
-#include "runner/cli/print_results.hpp"
+#include "runner/cli/surface_text.hpp"
 #include "runner/finish/surface.hpp"
 #include "runner/study/parameter_value.hpp"
 #include "runner/study/points_file.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/schema.hpp"
-#include "runner/study/searched.hpp"
 #include "runner/study/units.hpp"
 #include "runner/study/written_unit.hpp"
 
@@ -168,24 +165,21 @@ std::vector<PredictedValue> answers_of(const Study& study, Surfaces& surfaces,
     PredictedValue answer{&surface, 0, 0, 0, {}};
     const auto [value, deviation] = surface.process.at(input_of(study, surface, place, answer.outside));
     answer.value = value;
-    answer.low = value - half_width_95 * deviation;
-    answer.high = value + half_width_95 * deviation;
+    answer.low = value - analysis::half_width_95 * deviation;
+    answer.high = value + analysis::half_width_95 * deviation;
     answers.push_back(std::move(answer));
   }
   return answers;
 }
 
 Json to_json(const PredictedValue& a) {
-  const auto& cross = a.surface->process.cross_validation();
-  return {{"value", a.value},
-          {"low", a.low},
-          {"high", a.high},
-          {"unit", a.surface->unit},
-          {"outside", a.outside},
-          {"runs", a.surface->values.size()},
-          {"left_out_rms", cross.rms},
-          {"left_out_q2", cross.q2 ? Json(*cross.q2) : Json(nullptr)},
-          {"left_out_covered", cross.covered}};
+  Json json = {{"value", a.value},
+               {"low", a.low},
+               {"high", a.high},
+               {"unit", a.surface->unit},
+               {"outside", a.outside}};
+  json.update(quality_json(*a.surface));
+  return json;
 }
 
 void print_text(const Study& study, const std::vector<PredictedValue>& answers,
@@ -225,47 +219,7 @@ void print_csv(const std::vector<std::string>& inputs, const std::vector<std::st
   }
 }
 
-std::string number_text(double value, const std::string& si_unit) {
-  const auto unit = analysis::display_unit(si_unit, std::abs(value));
-  return fmt::format("{:.3g}{}{}", value * unit.factor, unit.text.empty() ? "" : " ", unit.text);
-}
-
 }  // namespace
-
-std::vector<std::string> results_to_show(const Study& study, const std::vector<std::string>& named) {
-  for (const std::string& name : named) {
-    if (mpm::find_result(name) || mpm::is_of_gauge(name) || critical_result(name)) continue;
-    std::vector<std::string_view> known;
-    for (const mpm::ResultRow& row : mpm::results())
-      if (row.belongs_to(study.kind)) known.push_back(row.name);
-    const Refusal refusal = unknown_word(name, "result", known);
-    throw StudyError("--of: " + name + ": " + refusal.wrong + "; " + refusal.allowed);
-  }
-  if (!named.empty()) return named;
-  constexpr std::size_t most = 3;
-  const auto names = results_of_interest(study, most);
-  if (names.empty())
-    throw StudyError(study.name + ": say --of RESULT; its file has no fit and no figure of one");
-  return names;
-}
-
-std::string interval_text(const Estimate& estimate, const std::string& si_unit, const char* between) {
-  const double largest =
-      std::max({std::abs(estimate.value), std::abs(estimate.low), std::abs(estimate.high)});
-  const auto unit = analysis::display_unit(si_unit, largest);
-  return fmt::format("{:.4g}{}{}{}{:.4g} to {:.4g}", estimate.value * unit.factor,
-                     unit.text.empty() ? "" : " ", unit.text, between, estimate.low * unit.factor,
-                     estimate.high * unit.factor);
-}
-
-std::string quality_text(const ResultSurface& surface) {
-  const auto& cross = surface.process.cross_validation();
-  const auto runs = surface.values.size();
-  return fmt::format(
-      "    from {} runs; each left out in turn: error {} (rms){}, {:.0f} of {} within the 95 % interval\n",
-      runs, number_text(cross.rms, surface.unit), cross.q2 ? fmt::format(", Q2 = {:.3f}", *cross.q2) : "",
-      std::round(cross.covered * static_cast<double>(runs)), runs);
-}
 
 void setup_predict(CLI::App& app) {
   const auto options = std::make_shared<PredictOptions>();

@@ -8,6 +8,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "runner/catalog/job_rows.hpp"
 #include "runner/status/label.hpp"
+#include "runner/study/characters.hpp"
 #include "runner/study/readable.hpp"
 
 namespace mpmstudy {
@@ -56,8 +57,8 @@ std::string failures_text(const Study& study, const std::filesystem::path& resul
   for (const auto& job : failed.first) {
     const std::string begin = fmt::format("  failed  {}  {}: ", short_key(job.key), job.kind);
     const std::string varies = label(names, job.parameters), end = varies.empty() ? "" : "  " + varies;
-    const std::size_t rest = line_columns - columns_of(begin);
-    const std::size_t room = std::max(least_reason, rest - std::min(rest, columns_of(end)));
+    const std::size_t rest = line_columns - characters_in(begin);
+    const std::size_t room = std::max(least_reason, rest - std::min(rest, characters_in(end)));
     text += cut_text(begin + cut_text(first_line(job.reason), room) + end, line_columns) + "\n";
   }
   if (failed.count > most_failures)

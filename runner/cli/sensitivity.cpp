@@ -10,7 +10,7 @@
 
 #include "analysis/sobol_indices.hpp"
 #include "runner/cli/last_run.hpp"
-#include "runner/cli/predict.hpp"
+#include "runner/cli/surface_text.hpp"
 #include "runner/cli/text_table.hpp"
 #include "runner/finish/surface.hpp"
 
@@ -69,16 +69,13 @@ Json to_json(const ResultSurface& surface, const Sensitivity& s) {
     parameters[surface.inputs[k]] = {{"first", estimate(s.first[k])},
                                      {"total", estimate(s.total[k])},
                                      {"rank_correlation", rank_of(surface, k)}};
-  const auto& cross = surface.process.cross_validation();
-  return {{"result", surface.result},
-          {"unit", surface.unit},
-          {"parameters", std::move(parameters)},
-          {"mean", estimate(s.mean)},
-          {"deviation", estimate(s.deviation)},
-          {"runs", surface.values.size()},
-          {"left_out_rms", cross.rms},
-          {"left_out_q2", cross.q2 ? Json(*cross.q2) : Json(nullptr)},
-          {"left_out_covered", cross.covered}};
+  Json json = {{"result", surface.result},
+               {"unit", surface.unit},
+               {"parameters", std::move(parameters)},
+               {"mean", estimate(s.mean)},
+               {"deviation", estimate(s.deviation)}};
+  json.update(quality_json(surface));
+  return json;
 }
 
 }  // namespace

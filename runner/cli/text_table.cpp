@@ -6,6 +6,7 @@
 #include <set>
 
 #include "runner/status/label.hpp"
+#include "runner/study/characters.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 constexpr std::string_view gap = "  ";
 
 std::size_t width_of(const TextColumn& column) {
-  std::size_t width = std::max(columns_of(column.name), columns_of(column.unit));
-  for (const auto& cell : column.cells) width = std::max(width, columns_of(cell));
+  std::size_t width = std::max(characters_in(column.name), characters_in(column.unit));
+  for (const auto& cell : column.cells) width = std::max(width, characters_in(cell));
   return width;
 }
 
@@ -34,7 +35,7 @@ std::string text_table(const std::vector<TextColumn>& columns) {
     std::string one;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const std::string cell = cell_of(columns[i]);
-      const std::string blanks(widths[i] - columns_of(cell), ' ');
+      const std::string blanks(widths[i] - characters_in(cell), ' ');
       one += gap;
       one += columns[i].left ? cell + blanks : blanks + cell;
     }

@@ -31,9 +31,6 @@ struct ResultSurface {
 ResultSurface surface_of(const Study&, const StudyResults&, const std::string& result,
                          const std::map<std::string, std::string>& words);
 
-/// Half width of a 95 % interval over the standard deviation.
-inline constexpr double half_width_95 = 1.959963984540054;
-
 /// An estimate with the 2.5 % and 97.5 % points of what the runs leave open.
 struct Estimate {
   double value = 0, low = 0, high = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runner/study/characters.hpp"
 #include "runner/study/parameter_value.hpp"
 
 namespace mpmstudy {
@@ -20,10 +21,6 @@ std::string label_of(const mpm::Scene& scene, std::span<const std::string> swept
 
 std::string short_key(const std::string& key) { return key.substr(0, shown_key_digits); }
 
-std::size_t columns_of(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 std::string text_start(std::string_view text, std::size_t columns) {
   std::size_t end = 0;
   for (std::size_t seen = 0; end < text.size(); ++end)
@@ -33,7 +30,7 @@ std::string text_start(std::string_view text, std::size_t columns) {
 
 std::string cut_text(std::string_view text, std::size_t columns) {
   constexpr std::string_view dots = "...";
-  if (columns_of(text) <= columns) return std::string(text);
+  if (characters_in(text) <= columns) return std::string(text);
   if (columns <= dots.size()) return text_start(dots, columns);
   return text_start(text, columns - dots.size()) + std::string(dots);
 }

@@ -21,8 +21,6 @@ std::string short_key(const std::string& key);
 /// No line about one job is longer [columns]: what a wide terminal or a log shows in one row.
 inline constexpr std::size_t line_columns = 120;
 
-/// Columns that UTF-8 text takes: one per code point.
-std::size_t columns_of(std::string_view text);
 /// The first columns of a text, never half a code point.
 std::string text_start(std::string_view text, std::size_t columns);
 /// The text, or as much of it as leaves room for "..." at its end.

@@ -9,6 +9,7 @@
 
 #include "runner/status/eta.hpp"
 #include "runner/status/label.hpp"
+#include "runner/study/characters.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -121,10 +122,10 @@ std::string end_line(std::int64_t number, std::int64_t of, const Job& job, const
   // What sets the job apart keeps 40 columns beside a long reason.
   constexpr std::size_t label_columns = 40;
   // How fast it went is told where there is room for it.
-  if (end.status == JobStatus::done && columns_of(line + how + "  " + label) > line_columns)
+  if (end.status == JobStatus::done && characters_in(line + how + "  " + label) > line_columns)
     how = "done in " + readable_duration(end.wall_s);
-  const std::size_t kept = label.empty() ? 0 : 2 + std::min(columns_of(label), label_columns);
-  line += cut_text(how, line_columns - std::min(columns_of(line) + kept, line_columns));
+  const std::size_t kept = label.empty() ? 0 : 2 + std::min(characters_in(label), label_columns);
+  line += cut_text(how, line_columns - std::min(characters_in(line) + kept, line_columns));
   return cut_text(label.empty() ? line : line + "  " + label, line_columns);
 }
 

@@ -100,4 +100,8 @@ std::string odd_character(std::string_view text) {
   return {};
 }
 
+std::size_t characters_in(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
 }  // namespace mpmstudy

@@ -16,6 +16,9 @@ std::string odd_character(std::string_view text);
 /// them. Empty if there is none.
 std::string control_character(std::string_view text);
 
+/// How many characters UTF-8 text has: continuation bytes are none.
+std::size_t characters_in(std::string_view text);
+
 /// Text of a file or a command line, as it may go to a terminal: what control_character() finds is written as
 /// TOML writes it, "\u001B". Lines: line ends and tabs stay.
 std::string printable(std::string_view text);

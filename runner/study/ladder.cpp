@@ -8,6 +8,7 @@
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/requests.hpp"
 #include "runner/study/schema.hpp"
+#include "runner/study/study.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -79,6 +80,19 @@ LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind> k
       request.quantity = *name;
   }
   return request;
+}
+
+void sweep_ladder(Study& study) {
+  std::vector<mpm::Scene> scenes;
+  for (const mpm::Scene& scene : study.scenes)
+    for (int k = 0; k < study.ladder.cells; ++k) {
+      scenes.push_back(scene);
+      scenes.back().numerics.cell_size =
+          finer_cell(scene.numerics.cell_size, study.ladder.finds_cell ? k : k + 1 - study.ladder.cells);
+    }
+  study.scenes = std::move(scenes);
+  study.ladder = {};
+  if (std::ranges::find(study.swept, "cell_size") == study.swept.end()) study.swept.emplace_back("cell_size");
 }
 
 }  // namespace mpmstudy

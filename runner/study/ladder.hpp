@@ -10,6 +10,8 @@
 
 namespace mpmstudy {
 
+struct Study;
+
 /// Cells that an accuracy may climb where a study says nothing.
 inline constexpr int default_most_cells = 7;
 /// Cells that an interval is first asked of.
@@ -29,5 +31,9 @@ std::string_view default_accuracy_of(mpm::SceneKind);
 /// Reads the keys out of [numerics]; null: there is no such table. Adds what is wrong with them.
 LadderRequest read_ladder(const Table* numerics, std::optional<mpm::SceneKind>,
                           const std::vector<std::string>& gauge_results, const Units&, Mistakes&);
+
+/// A ladder under a search is a sweep of its cells: each is searched, the finer from the coarser ones, and
+/// the brackets are extrapolated.
+void sweep_ladder(Study&);
 
 }  // namespace mpmstudy

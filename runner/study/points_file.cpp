@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "runner/study/characters.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/schema.hpp"
 
@@ -17,10 +18,6 @@ struct Cell {
   Place place;
 };
 
-std::uint32_t characters(std::string_view text) {
-  return static_cast<std::uint32_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 /// The cells of one line. Empty after adding a mistake: a quote that is not closed.
 std::vector<Cell> cells_of(std::string_view line, const Place& begin, Mistakes& mistakes) {
   std::vector<Cell> cells;
@@ -28,7 +25,7 @@ std::vector<Cell> cells_of(std::string_view line, const Place& begin, Mistakes& 
   for (;;) {
     Cell cell{"", begin};
     const std::size_t from = std::min(line.find_first_not_of(" \t", at), line.size());
-    cell.place.column = 1 + characters(line.substr(0, from));
+    cell.place.column = 1 + static_cast<std::uint32_t>(characters_in(line.substr(0, from)));
     if (from < line.size() && line[from] == '"') {
       for (at = from + 1; at < line.size(); ++at) {
         if (line[at] != '"')

@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "libmpm/scene/kinds/kind.hpp"
+#include "runner/study/axes.hpp"
 #include "runner/study/combine.hpp"
-#include "runner/study/decimal.hpp"
 #include "runner/study/figure_files.hpp"
 #include "runner/study/gauges.hpp"
 #include "runner/study/ladder.hpp"
@@ -66,7 +63,7 @@ class Reader {
     study_.scenes = std::move(built.scenes);
     study_.skipped = std::move(built.skipped);
     mistakes_.throw_if_any();
-    if (study_.search && study_.ladder.cells > 1) sweep_ladder();
+    if (study_.search && study_.ladder.cells > 1) sweep_ladder(study_);
     check_figure_files(document_, study_.scenes.size(), mistakes_);
     mistakes_.throw_if_any();
     return std::move(study_);
@@ -178,25 +175,7 @@ class Reader {
       check_keys(entry.key == "parameters" ? without_own(*entries) : *entries, entry.key, kind_, mistakes_);
       for (const Entry& one : entries->entries) read_row(entry.key, one);
     }
-    for (const Axis& axis : request_.axes) refuse_cycle(axis, {});
-  }
-
-  /// Of rows that are expressions of each other. Those of the study's own are found when their units are.
-  void refuse_cycle(const Axis& axis, std::vector<std::string> through) {
-    if (!axis.expression) return;
-    through.emplace_back(axis.name());
-    for (const std::string& name : axis.expression->names()) {
-      const auto next = std::ranges::find(request_.axes, name, &Axis::name);
-      if (next == request_.axes.end()) continue;
-      if (std::ranges::find(through, name) == through.end()) {
-        refuse_cycle(*next, through);
-      } else if (name == through.front()) {
-        std::string cycle;
-        for (const std::string& one : through) cycle += one + " -> ";
-        mistakes_.add(axis.value_place, axis.name(), axis.written,
-                      {"is made of itself: " + cycle + name, "allowed: expressions without a cycle"});
-      }
-    }
+    refuse_cycles(request_.axes, mistakes_);
   }
 
   Table without_own(Table table) const {
@@ -232,7 +211,7 @@ class Reader {
     }
     if (!axis) return;
     const bool scaled = entry.key == "cell_size" && options_.cells != 1;
-    if (scaled) scale_cells(*axis);
+    if (scaled) scale_cells(*axis, options_.cells, mistakes_);
     if (!axis->swept && !axis->expression && entry.place.line > 0) fixed_.push_back(entry.key);
     if (axis->quantity && !axis->expression) remember_unit(*axis->quantity, entry.value);
     if (axis->own) {
@@ -249,25 +228,6 @@ class Reader {
   void remember_unit(const mpm::Quantity& row, const Value& value) {
     if (auto unit = written_unit(value, row.unit, units_))
       study_.units[std::string(row.name)] = std::move(*unit);
-  }
-
-  /// --cells: to 12 digits, as a file would say it.
-  void scale_cells(Axis& axis) {
-    const auto scaled = [&](double value) {
-      const double product = round_to_12_digits(value * options_.cells);
-      if (!std::isnormal(product) && value != 0)
-        mistakes_.add(
-            axis.value_place, axis.name(), axis.written,
-            {fmt::format("times --cells {} it is no cell", options_.cells), "allowed: a factor such as 0.5"});
-      return product;
-    };
-    if (axis.range) {
-      axis.range->from = scaled(axis.range->from);
-      axis.range->to = scaled(axis.range->to);
-      axis.range->from_text = fmt::format("{:.12g}", axis.range->from);
-      axis.range->to_text = fmt::format("{:.12g}", axis.range->to);
-    }
-    for (Point& point : axis.points) point.value = scaled(point.value);
   }
 
   void read_snapshots() {
@@ -292,7 +252,7 @@ class Reader {
 
   void read_all_gauges() {
     request_.gauges = read_gauges(document_, units_, own_->known(mistakes_), mistakes_);
-    read_stops(document_, spaces(), units_, request_.gauges, mistakes_);
+    read_stops(document_, spaces_of(request_.axes), units_, request_.gauges, mistakes_);
     for (const GaugeRequest& one : request_.gauges) study_.gauges.push_back(one.gauge);
     if (request_.gauges.empty()) return;
     study_.given.emplace_back("gauges");
@@ -303,7 +263,8 @@ class Reader {
     study_.ladder = read_ladder(table("numerics"), kind_, metrics_of(study_.gauges), units_, mistakes_);
     for (const mpm::Gauge& gauge : study_.gauges)
       if (study_.ladder.quantity.starts_with(gauge.name + "."))
-        study_.ladder.unit = mpm::unit_of_metric(gauge, study_.ladder.quantity, spaces().front());
+        study_.ladder.unit =
+            mpm::unit_of_metric(gauge, study_.ladder.quantity, spaces_of(request_.axes).front());
     if (study_.ladder.finds_cell) said_.emplace_back("cell_size");
     request_.ladder = study_.ladder;
     const Table* numerics = table("numerics");
@@ -323,8 +284,8 @@ class Reader {
                            fixed_,
                            said_,
                            study_.ladder.cells,
-                           may_decide_ejection(),
-                           spaces(),
+                           may_decide_ejection(request_.axes, request_.seeks_ejection),
+                           spaces_of(request_.axes),
                            !request_.snapshots.empty(),
                            study_.search ? study_.search->critical : ""};
     for (const mpm::Gauge& gauge : study_.gauges) context.gauges.push_back(gauge.name);
@@ -333,22 +294,6 @@ class Reader {
     study_.fits = read_fits(document_, context, mistakes_);
     study_.figures = read_figures(document_, context, mistakes_);
     study_.expectation = read_expectation(document_, units_, mistakes_);
-  }
-
-  /// A ladder under a search is a sweep of its cells: each is searched, the finer from the coarser ones, and
-  /// the brackets are extrapolated.
-  void sweep_ladder() {
-    std::vector<mpm::Scene> scenes;
-    for (const mpm::Scene& scene : study_.scenes)
-      for (int k = 0; k < study_.ladder.cells; ++k) {
-        scenes.push_back(scene);
-        scenes.back().numerics.cell_size =
-            finer_cell(scene.numerics.cell_size, study_.ladder.finds_cell ? k : k + 1 - study_.ladder.cells);
-      }
-    study_.scenes = std::move(scenes);
-    study_.ladder = {};
-    if (std::ranges::find(study_.swept, "cell_size") == study_.swept.end())
-      study_.swept.emplace_back("cell_size");
   }
 
   /// A searched quantity is not given; until a search says otherwise, scenes hold its lower bound.
@@ -394,27 +339,6 @@ class Reader {
                              " has this outcome",
                          "remove decides from [measure], or look for another outcome"});
     }
-  }
-
-  /// Some jobs of the study may decide ejection: the file says so, or its search is for it.
-  bool may_decide_ejection() const {
-    for (const Axis& axis : request_.axes)
-      if (axis.name() == "decides")
-        return std::ranges::any_of(axis.points, [](const Point& point) {
-          return point.value == static_cast<double>(mpm::Decides::ejection);
-        });
-    return request_.seeks_ejection;
-  }
-
-  std::vector<mpm::Space> spaces() const {
-    for (const Axis& axis : request_.axes) {
-      if (axis.name() != "space") continue;
-      std::vector<mpm::Space> all;
-      for (const Point& point : axis.points)
-        all.push_back(static_cast<mpm::Space>(static_cast<int>(point.value)));
-      if (!all.empty()) return all;
-    }
-    return {mpm::Space::plane_strain};
   }
 
   bool says(std::string_view name) const {

@@ -159,6 +159,14 @@ void check_ranges(const SceneRequest& request, const std::vector<Assignment>& as
   }
 }
 
+/// Of a parameter of the study's own, for people in the unit in which the file writes it.
+mpm::Label own_label(const Axis& axis, double si, const WrittenUnits& units) {
+  mpm::Label label{std::string(axis.name()), si, std::string(axis.quantity->unit)};
+  const auto unit = units.find(label.name);
+  if (unit != units.end()) label.written = in_unit(si, unit->second);
+  return label;
+}
+
 }  // namespace
 
 std::vector<const Axis*> swept_axes(const SceneRequest& request) {
@@ -166,14 +174,6 @@ std::vector<const Axis*> swept_axes(const SceneRequest& request) {
   for (const Axis& axis : request.axes)
     if (axis.swept) swept.push_back(&axis);
   return swept;
-}
-
-/// Of a parameter of the study's own, for people in the unit in which the file writes it.
-static mpm::Label own_label(const Axis& axis, double si, const WrittenUnits& units) {
-  mpm::Label label{std::string(axis.name()), si, std::string(axis.quantity->unit)};
-  const auto unit = units.find(label.name);
-  if (unit != units.end()) label.written = in_unit(si, unit->second);
-  return label;
 }
 
 SweptScenes build_scenes(const SceneRequest& request, const Combinations& combinations, Mistakes& mistakes) {

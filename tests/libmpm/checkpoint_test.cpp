@@ -152,9 +152,9 @@ TEST_F(Checkpoint, of_a_cavity_in_full_width) {
 }
 
 TEST_F(Checkpoint, of_every_scheme) {
-  for (const auto scheme : {mpm::ShapeFunction::gimp, mpm::ShapeFunction::bspline2,
-                            mpm::ShapeFunction::bspline3, mpm::ShapeFunction::cpdi,
-                            mpm::ShapeFunction::linear}) {
+  for (const auto scheme :
+       {mpm::ShapeFunction::gimp, mpm::ShapeFunction::bspline2, mpm::ShapeFunction::bspline3,
+        mpm::ShapeFunction::cpdi, mpm::ShapeFunction::linear}) {
     SCOPED_TRACE(static_cast<int>(scheme));
     mpm::Scene s = collapse();
     s.end_time = 1e-9;

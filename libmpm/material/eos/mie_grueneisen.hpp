@@ -69,24 +69,12 @@ struct BasicMieGrueneisen {
     explicit Volume(Real d) : VolumeOf<Real>{d, -d / (1 + d)} {}
   };
 
-  /// At a volume, P = cold + thermal * e.
-  template <class N>
-  struct LineOf {
-    N cold;     ///< [Pa]
-    N thermal;  ///< [kg/m^3]
-  };
-  using Line = LineOf<Real>;
-  /// ... and the square of the bulk sound speed on an isentrope, dP/drho|e + (P/rho^2) dP/de [m^2/s^2]. Where
-  /// far expansion makes it small, a tenth of c0^2 is returned: it bounds time steps and viscosity, nothing
-  /// else.
-  template <class N>
-  struct Response {
-    LineOf<N> line;
-    N sound_square;
-  };
-  /// `linear`: Tension::linear. p: pressure, for the sound speed [Pa].
+  using Line = PressureLine<Real>;
+  /// Where far expansion makes the square of the sound speed small, a tenth of c0^2 is returned: it bounds
+  /// time steps and viscosity, nothing else. `linear`: Tension::linear. p: pressure, for the sound speed
+  /// [Pa].
   template <bool linear, class N>
-  MPM_INLINE Response<N> response(const VolumeOf<N>& v, N p) const {
+  MPM_INLINE LinearResponse<N> response(const VolumeOf<N>& v, N p) const {
     const N ratio = 1 + v.dilation, mu = v.mu;
     const N a = mu * (c + mu * (d + mu * s));
     const N a_slope = c + mu * (2 * d + 3 * mu * s);
@@ -123,7 +111,7 @@ struct BasicMieGrueneisen {
   }
 
  private:
-  Response<Real> response_of(Volume v, Real p) const {
+  LinearResponse<Real> response_of(Volume v, Real p) const {
     return tension == Tension::linear ? response<true, Real>(v, p) : response<false, Real>(v, p);
   }
 };

@@ -45,16 +45,8 @@ struct StiffenedGas {
   }
   MPM_INLINE Validity<Real> validity() const { return {least, most, pressure_limit}; }
 
-  /// P = cold + thermal e at a volume, and c^2.
   template <class N>
-  struct Response {
-    struct {
-      N cold, thermal;
-    } line;
-    N sound_square;
-  };
-  template <class N>
-  MPM_INLINE Response<N> response(N dilation, N compression, N p) const {
+  MPM_INLINE LinearResponse<N> response(N dilation, N compression, N p) const {
     const N volume = inverse_rho0 * (1 + dilation);
     const N square = (gamma * p + stiffness) * volume;
     return {{stiffness * compression, (less_one * rho0) * (1 + compression)},

@@ -42,14 +42,7 @@ struct TaitEos {
   }
 
   template <class N>
-  struct Response {
-    struct {
-      N cold, thermal;
-    } line;
-    N sound_square;
-  };
-  template <class N>
-  MPM_INLINE Response<N> response(N dilation, N compression, N) const {
+  MPM_INLINE LinearResponse<N> response(N dilation, N compression, N) const {
     N power{};  // (rho/rho0)^n - 1, which keeps the digits of small strains
     for (int lane = 0; lane < Number<N>::width; ++lane) {
       const double mu = Number<N>::lane(compression, lane);
@@ -78,7 +71,7 @@ inline double tait_energy(const Material& m, double dilation) {
 
 /// Of mass and momentum across a shock, P = rho0 Us up, rho = rho0 Us / (Us - up), by bisection [m/s].
 inline double tait_shock_speed(const Material& m, double particle_speed) {
-  const double sound = std::sqrt(m.tait_exponent * m.tait_pressure / m.reference_density);
+  const double sound = std::sqrt(TaitEos<double>::sound_square_at_rest(m));
   double low = sound, high = sound + (m.tait_exponent + 1) * particle_speed;
   const auto excess = [&](double speed) {  // of the momentum over the pressure
     const double x = speed / (speed - particle_speed);

@@ -1,6 +1,6 @@
 #pragma once
 /// The return to a yield surface whose stress depends on strain in a way that only a search can solve.
-#include "libmpm/core/number.hpp"
+#include "libmpm/material/strength/j2.hpp"
 
 namespace mpm {
 
@@ -59,6 +59,16 @@ MPM_INLINE Returned<N> returned(const N& mises, const N& plastic_strain, const F
     Number<N>::set_lane(r.work, lane, static_cast<Real>(dp * middle));
   }
   return r;
+}
+
+/// Takes a trial deviator back to the yield surface: new deviator, plastic strain and plastic work.
+template <class N, class Tensor, class FlowIn>
+MPM_INLINE void take_back(const Tensor& trial, N specific_volume, const FlowIn& flow_in, Tensor& s, N* own) {
+  const N mises = Number<N>::square_root(3 * second_invariant(trial));
+  const Returned<N> r = returned(mises, own[own_plastic_strain], flow_in);
+  s = scaled(r.left, trial);
+  own[own_plastic_strain] += r.increment;
+  own[own_plastic_work] += r.work * specific_volume;
 }
 
 }  // namespace mpm

@@ -60,7 +60,6 @@ struct JohnsonCook {
   static MPM_INLINE void update(const Constants<Real>& constants, Tensor& s, N* own,
                                 const Strain<N, Space>& e, N specific_volume, Real inverse_dt) {
     const Tensor trial = sum(rotated(e.rotation, s), 2 * constants.shear_modulus, deviator(e.rate));
-    const N mises = Number<N>::square_root(3 * second_invariant(trial));
     struct Flow {
       const Constants<Real>& constants;
       double softened, inverse_dt, three_g;
@@ -69,14 +68,11 @@ struct JohnsonCook {
         return hardened(p + dp) * constants.of_rate(dp * inverse_dt) * softened;
       }
     };
-    const auto r = returned(
-        mises, own[own_plastic_strain], [&](int lane) __attribute__((always_inline)) {
-          return Flow{constants, constants.of_heat(Number<N>::lane(own[own_plastic_work], lane)), inverse_dt,
-                      3 * static_cast<double>(constants.shear_modulus)};
-        });
-    s = scaled(r.left, trial);
-    own[own_plastic_strain] += r.increment;
-    own[own_plastic_work] += r.work * specific_volume;
+    const auto flow_in = [&](int lane) __attribute__((always_inline)) {
+      return Flow{constants, constants.of_heat(Number<N>::lane(own[own_plastic_work], lane)), inverse_dt,
+                  3 * static_cast<double>(constants.shear_modulus)};
+    };
+    take_back(trial, specific_volume, flow_in, s, own);
   }
 };
 

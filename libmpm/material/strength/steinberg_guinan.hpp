@@ -5,7 +5,6 @@
 
 #include "libmpm/material/eos/temperature.hpp"
 #include "libmpm/material/strength/flow.hpp"
-#include "libmpm/material/strength/j2.hpp"
 
 namespace mpm {
 
@@ -60,7 +59,7 @@ struct SteinbergGuinanConstants {
     x = x > 1 ? 1 : x < -1 ? -1 : x;
     double next = 0, sum = 0;  // Clenshaw
     for (int k = degree; k > 0; --k) {
-      const double here = 2 * x * sum - next + cold[static_cast<std::size_t>(k)];
+      const double here = 2 * x * sum - next + cold[k];
       next = sum, sum = here;
     }
     return x * sum - next + cold[0];
@@ -69,7 +68,7 @@ struct SteinbergGuinanConstants {
  private:
   static constexpr double reference_temperature = 300, middle = 0.1, half = 0.4;
   static constexpr int degree = 12;
-  std::array<double, degree + 1> cold;
+  double cold[degree + 1];
 
   MPM_INLINE double melting_at(double ratio) const {
     if (ratio > 1) return melting;  // in tension
@@ -86,7 +85,7 @@ struct SteinbergGuinanConstants {
         const double angle = pi * (j + 0.5) / nodes;
         sum += temperature(-(middle + half * std::cos(angle)), 0) * std::cos(k * angle);
       }
-      cold[static_cast<std::size_t>(k)] = (k == 0 ? 1.0 : 2.0) * sum / nodes;
+      cold[k] = (k == 0 ? 1.0 : 2.0) * sum / nodes;
     }
   }
 };
@@ -104,39 +103,48 @@ struct SteinbergGuinan {
   /// G of the state [Pa].
   template <class Real, class N>
   static MPM_INLINE N shear_modulus(const Constants<Real>& constants, const ThermalState<N>& at) {
-    N g{};
-    for (int lane = 0; lane < Number<N>::width; ++lane)
-      Number<N>::set_lane(g, lane, static_cast<Real>(constants.g0 * stiffening(constants, at, lane)));
-    return g;
+    return modulus<Real, N>(constants, stiffening(constants, at));
   }
 
   template <class Real, class N, class Tensor, class Space>
   static MPM_INLINE void update(const Constants<Real>& constants, Tensor& s, N* own,
                                 const Strain<N, Space>& e, N specific_volume, const ThermalState<N>& at) {
-    const N g = shear_modulus(constants, at);
+    const auto stiffness = stiffening(constants, at);
+    const N g = modulus<Real, N>(constants, stiffness);
     const Tensor trial = sum(rotated(e.rotation, s), Real(1), scaled(N(2 * g), deviator(e.rate)));
-    const N mises = Number<N>::square_root(3 * second_invariant(trial));
     struct Flow {
       const Constants<Real>& constants;
       double f, three_g;
       MPM_INLINE double hardened(double p) const { return constants.hardened(p); }
       MPM_INLINE double stress(double p, double dp) const { return hardened(p + dp) * f; }
     };
-    const auto r = returned(
-        mises, own[own_plastic_strain], [&](int lane) __attribute__((always_inline)) {
-          const double f = stiffening(constants, at, lane);
-          return Flow{constants, f, 3 * constants.g0 * f};
-        });
-    s = scaled(r.left, trial);
-    own[own_plastic_strain] += r.increment;
-    own[own_plastic_work] += r.work * specific_volume;
+    const auto flow_in = [&](int lane) __attribute__((always_inline)) {
+      const double f = stiffness.of[lane];
+      return Flow{constants, f, 3 * constants.g0 * f};
+    };
+    take_back(trial, specific_volume, flow_in, s, own);
   }
 
  private:
+  /// f of every lane.
+  template <class N>
+  struct Stiffness {
+    double of[Number<N>::width];
+  };
   template <class Real, class N>
-  static MPM_INLINE double stiffening(const Constants<Real>& constants, const ThermalState<N>& at, int lane) {
-    return constants.stiffening(Number<N>::lane(at.dilation, lane), Number<N>::lane(at.energy, lane),
-                                Number<N>::lane(at.pressure, lane));
+  static MPM_INLINE Stiffness<N> stiffening(const Constants<Real>& constants, const ThermalState<N>& at) {
+    Stiffness<N> f;
+    for (int lane = 0; lane < Number<N>::width; ++lane)
+      f.of[lane] = constants.stiffening(Number<N>::lane(at.dilation, lane), Number<N>::lane(at.energy, lane),
+                                        Number<N>::lane(at.pressure, lane));
+    return f;
+  }
+  template <class Real, class N>
+  static MPM_INLINE N modulus(const Constants<Real>& constants, const Stiffness<N>& f) {
+    N g{};
+    for (int lane = 0; lane < Number<N>::width; ++lane)
+      Number<N>::set_lane(g, lane, static_cast<Real>(constants.g0 * f.of[lane]));
+    return g;
   }
 };
 

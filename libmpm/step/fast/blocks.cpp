@@ -3,23 +3,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "libmpm/core/deviator_numbers.hpp"
 #include "libmpm/material/list.hpp"
 
 namespace mpm::fast {
-
-namespace {
-
-/// The numbers that a deviator is kept in, as in load() of core/symmetric.hpp.
-void read(const PlaneTensor& t, double* to) { to[0] = t.xx, to[1] = t.yy, to[2] = t.xy; }
-void read(const FullTensor& t, double* to) {
-  to[0] = t.xx, to[1] = t.yy, to[2] = t.xy, to[3] = t.xz, to[4] = t.yz;
-}
-void write(const double* from, PlaneTensor& t) { t = {from[0], from[1], -(from[0] + from[1]), from[2]}; }
-void write(const double* from, FullTensor& t) {
-  t = {from[0], from[1], -(from[0] + from[1]), from[2], from[3], from[4]};
-}
-
-}  // namespace
 
 template <class Real, int axes>
 Blocks<Real, axes>::Blocks(Particles& ps, typename Particles::Range range,
@@ -58,7 +45,7 @@ Blocks<Real, axes>::Blocks(Particles& ps, typename Particles::Range range,
     set(C::pressure, ps.pressure[p]);
     set(C::viscous_pressure, ps.viscous_pressure[p]);
     double deviator[C::common - C::deviator];
-    read(ps.deviator[p], deviator);
+    store(numbers_of(ps.deviator[p]), deviator);
     for (int c = C::deviator; c < C::common; ++c) set(c, deviator[c - C::deviator]);
     for (int axis = 0; axis < layout.half_sizes(); ++axis)
       set(layout.half_size() + axis, ps.half_size[p][axis] * inverse[axis]);
@@ -86,7 +73,9 @@ void Blocks<Real, axes>::write(std::size_t s, const Grid& grid, Particles& ps,
   ps.viscous_pressure[p] = get(C::viscous_pressure);
   double deviator[C::common - C::deviator];
   for (int c = C::deviator; c < C::common; ++c) deviator[c - C::deviator] = get(c);
-  fast::write(deviator, ps.deviator[p]);
+  decltype(numbers_of(ps.deviator[p])) numbers;
+  load(deviator, numbers);
+  ps.deviator[p] = tensor_of(numbers);
   for (int axis = 0; axis < layout_.half_sizes(); ++axis)
     ps.half_size[p][axis] = get(layout_.half_size() + axis) * grid.cell()[axis];
   double own[most_own_numbers<Real, axes>];

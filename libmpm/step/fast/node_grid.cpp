@@ -105,19 +105,9 @@ void NodeGrid<Real, axes>::reflect_sides(int first_row, int last_row) {
 
 template <class Real, int axes>
 bool NodeGrid<Real, axes>::at_open_face(const OpenSides& open, Floor floor, int first_row, int last_row) {
-  const int first = std::max(first_row, 0), slices = axes == 3 ? nodes_.slices : -1;
-  for (int k = axes == 3 ? 0 : -1; k <= slices; ++k) {
-    const auto has_mass = [&](int i, int j) { return at(M::mass, i, j, k) > 0; };
-    if (walls::at_sides(has_mass, open.left, open.right, nodes_.columns, first, last_row) ||
-        (floor == Floor::open && first_row <= 0 && walls::at_floor(has_mass, nodes_.columns)))
-      return true;
-  }
-  if constexpr (axes == 3)
-    for (int i = 0; i <= nodes_.columns; ++i)
-      if (walls::at_sides([&](int k, int j) { return at(M::mass, i, j, k) > 0; }, open.front, open.back,
-                          nodes_.slices, first, last_row))
-        return true;
-  return false;
+  const auto has_mass = [&](int i, int j, int k) { return at(M::mass, i, j, axes == 3 ? k : -1) > 0; };
+  return walls::at_open_face(has_mass, open, floor == Floor::open && first_row <= 0, nodes_.columns,
+                             nodes_.slices, std::max(first_row, 0), last_row);
 }
 
 template <class Real, int axes>

@@ -1,6 +1,5 @@
 // predict and sensitivity, on the example of a map: 24 runs over two parameters.
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "runner/catalog/query.hpp"
@@ -17,15 +16,6 @@ class Predict : public Program {
   Predict() {
     EXPECT_EQ(run({"run", SOURCE_DIR "/studies/examples/map.toml", "-q", "--results", results}), 0) << output;
   }
-  std::string out(const std::string& arguments) {
-    const std::string file = (folder.path() / "out").string();
-    code = WEXITSTATUS(std::system(
-        ("'" PROGRAM "' " + arguments + " --results '" + results + "' > '" + file + "' 2> '" + log + "'")
-            .c_str()));
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  int code = -1;
 };
 
 TEST_F(Predict, SaysTheRunsThatItHasAndOthersWithAnInterval) {

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -41,12 +43,22 @@ class Program : public testing::Test {
     return WIFEXITED(end) ? WEXITSTATUS(end) : 1000 + WTERMSIG(end);
   }
   int run(const Arguments& arguments) { return wait_for(start(arguments)); }
+  /// Standard output alone of a command line of a shell; exit code in `code`.
+  std::string out(const std::string& arguments) {
+    const std::string file = (folder.path() / "out").string();
+    code = WEXITSTATUS(std::system(
+        ("'" PROGRAM "' " + arguments + " --results '" + results + "' > '" + file + "' 2> '" + log + "'")
+            .c_str()));
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
 
   fakes::TemporaryFolder folder;
   std::string log = (folder.path() / "log").string();
   std::string results = (folder.path() / "results").string();
   std::string smoke = SOURCE_DIR "/studies/examples/smoke.toml";
   std::string output;
+  int code = -1;
 };
 
 }  // namespace mpmstudy

@@ -9,6 +9,7 @@
 #include "runner/cli/text_table.hpp"
 #include "runner/finish/finish_study.hpp"
 #include "runner/status/label.hpp"
+#include "runner/study/characters.hpp"
 #include "tests/runner/fakes.hpp"
 
 namespace mpmstudy {
@@ -151,7 +152,7 @@ TEST_F(ResultsText, a_search_says_why_runs_failed) {
   }
   for (const auto& line : lines())
     if (!line.starts_with("  `mpmstudy")) {
-      EXPECT_LE(columns_of(line), line_columns) << line;
+      EXPECT_LE(characters_in(line), line_columns) << line;
     }
 }
 
@@ -230,7 +231,7 @@ TEST_F(ResultsText, no_line_about_a_job_is_longer_than_120_columns) {
   EXPECT_EQ(run(), exit_failed);
   for (const auto& line : lines())
     if (!line.starts_with("  all: ") && !line.starts_with("  `mpmstudy") && !line.starts_with("  ... ")) {
-      EXPECT_LE(columns_of(line), line_columns) << line;
+      EXPECT_LE(characters_in(line), line_columns) << line;
     }
   EXPECT_THAT(output, ContainsRegex("FAILED: x+\\.\\.\\.  cavity_radius = 1 um, "));
   EXPECT_THAT(table(), HasSubstr("  not shown: "));

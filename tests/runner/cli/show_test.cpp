@@ -1,6 +1,5 @@
 // show, and run --json: numbers for people and for programs.
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "runner/catalog/query.hpp"
@@ -15,16 +14,6 @@ using Json = nlohmann::json;
 
 class Show : public Program {
  protected:
-  /// Standard output alone; exit code in `code`.
-  std::string out(const std::string& arguments) {
-    const std::string file = (folder.path() / "out").string();
-    code = WEXITSTATUS(std::system(
-        ("'" PROGRAM "' " + arguments + " --results '" + results + "' > '" + file + "' 2> '" + log + "'")
-            .c_str()));
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  int code = -1;
   std::string study = SOURCE_DIR "/tests/faults/kill.toml", quoted = "'" + study + "'";
 };
 

@@ -7,6 +7,7 @@
 #include "runner/status/label.hpp"
 #include "runner/status/plain_status.hpp"
 #include "runner/status/terminal_status.hpp"
+#include "runner/study/characters.hpp"
 #include "tests/runner/fakes.hpp"
 
 namespace mpmstudy {
@@ -135,7 +136,7 @@ TEST(PlainStatusTest, no_line_is_longer_than_120_columns_nor_than_one_line) {
   for (const auto status : {JobStatus::failed, JobStatus::planned, JobStatus::done}) {
     end.status = status;
     const auto line = end_line(1, 2, fakes::job(1), end, label);
-    EXPECT_EQ(columns_of(line), line_columns);
+    EXPECT_EQ(characters_in(line), line_columns);
     EXPECT_THAT(line, HasSubstr("cavity_radius = 1 um, "));
     EXPECT_THAT(line, Not(HasSubstr("\n")));
   }
