@@ -95,6 +95,8 @@ const ExactProblem ladder[] = {
     {"pressed-cavity-95", "spherical cavity at 0.95 of that pressure: it stays open", pressed<95>},
     {"pressed-cavity-105", "spherical cavity at 1.05 of that pressure: it closes", pressed<105>},
     {"pressed-cavity-150", "spherical cavity at 1.5 of that pressure", pressed<150>},
+    {"lagrange-weak", "weak collapse of a cavity, against a Lagrangian code on three meshes",
+     lagrange_weak_numbers},
     {"noh-cylinder", "ideal gas that flows to the axis of a cylinder, gamma = 5/3",
      noh<mpm::Space::plane_strain>},
     {"noh-sphere", "ideal gas that flows to the centre of a sphere, in axisymmetry",

@@ -31,6 +31,9 @@ ExactNumbers imploding_octant_numbers(double inner_speed, const ExactOptions&);
 /// closes it; axisymmetry, 0.1 um cells.
 ExactNumbers pressed_cavity_numbers(double share, const ExactOptions&);
 
+/// lagrange_weak.cpp: the weak collapse of the paper against the Lagrangian code. 0.1 um cells.
+ExactNumbers lagrange_weak_numbers(const ExactOptions&);
+
 // blast_waves.cpp: strong shocks of an ideal gas, in plane strain a cylinder, in axisymmetry a sphere.
 ExactNumbers noh_numbers(mpm::Space, const ExactOptions&);    ///< cells of a hundredth of the radius
 ExactNumbers sedov_numbers(mpm::Space, const ExactOptions&);  ///< cells of a fiftieth of the radius
