@@ -17,6 +17,8 @@
 #include "runner/cli/explain.hpp"
 #include "runner/cli/export.hpp"
 #include "runner/cli/figures.hpp"
+#include "runner/cli/forget.hpp"
+#include "runner/cli/gc.hpp"
 #include "runner/cli/merge.hpp"
 #include "runner/cli/plan.hpp"
 #include "runner/cli/predict.hpp"
@@ -30,6 +32,7 @@
 #include "runner/cli/usage.hpp"
 #include "runner/cli/verify.hpp"
 #include "runner/cli/watch.hpp"
+#include "runner/exec/git_revision.hpp"
 #include "runner/exec/signals.hpp"
 #include "runner/finish/finish_study.hpp"
 #include "runner/paper/preface.hpp"
@@ -54,6 +57,8 @@ void setup_verbs(CLI::App& app) {
   mpmstudy::setup_retry(app);
   mpmstudy::setup_verify(app, {simulate, mpm::write_vtkhdf, {}});
   mpmstudy::setup_merge(app);
+  mpmstudy::setup_forget(app);
+  mpmstudy::setup_gc(app);
   mpmstudy::setup_query(app);
   mpmstudy::setup_export(app);
   mpmstudy::setup_figures(app);
@@ -107,8 +112,9 @@ int main(int argc, char** argv) {
   // Warnings and results that go to one file stand there in the order in which they were printed.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   CLI::App app("Parameter studies of shock problems by the material point method", "mpmstudy");
-  app.set_version_flag(
-      "--version", fmt::format("mpmstudy {}, physics version {}", MPMSTUDY_VERSION, mpm::physics_version));
+  app.set_version_flag("--version",
+                       fmt::format("mpmstudy {}, commit {}, physics version {}", MPMSTUDY_VERSION,
+                                   mpmstudy::git_revision(), mpm::physics_version));
   app.require_subcommand(0, 1);
   setup_verbs(app);
   app.failure_message(mpmstudy::usage_message);

@@ -77,6 +77,21 @@ class Store {
   /// them. Within a transaction, so that nobody begins such a job meanwhile. Gives back how many.
   std::int64_t sweep_files();
 
+  // garbage.cpp
+  /// Removes a study with its fits, intervals and brackets. Its jobs stay, planned ones that no other study
+  /// has are cancelled. Gives back how many jobs no study has now. Throws CatalogError: there is no such
+  /// study, or its jobs are being run.
+  std::int64_t forget(const std::string& study);
+  /// Removes the rows of jobs that no study has and nobody runs; gives back how many.
+  std::int64_t remove_unwanted_jobs();
+  /// Removes folders of fields without a job that is wanted. Within a transaction, as sweep_files(), and
+  /// after the rows are committed: a file without a row is removed by the next start, a row without its file
+  /// would be run again. Gives back what could not be removed, and why.
+  std::vector<std::string> remove_unwanted_files();
+  /// Gives room that rows have left back to the disk, unless another process uses the catalog. Outside of
+  /// begin() ... commit().
+  void shrink();
+
   /// failed -> planned for all that the filter names; gives back their keys.
   std::vector<std::string> retry(const RetryFilter&);
 

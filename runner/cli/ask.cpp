@@ -62,8 +62,10 @@ std::string readable_bytes(double bytes) {
 std::string too_much(const Demand& demand, std::optional<double> free) {
   std::string text;
   if (free && demand.bytes > *free)
-    text = fmt::format("about {} of memory, of which {} are free (fewer jobs at a time: -j)",
-                       readable_bytes(demand.bytes), readable_bytes(*free));
+    text = fmt::format(
+        "about {} of memory, of which {} are free ({})", readable_bytes(demand.bytes), readable_bytes(*free),
+        demand.largest > *free ? "the largest job alone takes " + readable_bytes(demand.largest)
+                               : "fewer jobs at a time: -j");
   if (demand.wall_seconds > longest_unasked)
     text += fmt::format("{}about {}", text.empty() ? "" : ", and ", readable_duration(demand.wall_seconds));
   return text;

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "runner/catalog/accuracy.hpp"
+#include "runner/cli/ask.hpp"
 #include "runner/status/label.hpp"
 
 namespace mpmstudy {
@@ -39,11 +40,24 @@ Json counts(const StudyState& study) {
 /// The name of a study, or null.
 Json study_or_null(const std::string& study) { return study.empty() ? Json(nullptr) : Json(study); }
 
-Json to_json(const CatalogState& state, const std::vector<Submission>& submissions) {
+/// Of the files of a study, or of none.
+std::int64_t bytes_of(const DiskUse& disk, const std::string& study) {
+  const auto found = std::ranges::find(disk.studies, study, &DiskUse::OfStudy::study);
+  return found == disk.studies.end() ? 0 : found->bytes;
+}
+
+Json to_json(const CatalogState& state, const std::vector<Submission>& submissions,
+             const std::optional<DiskUse>& disk) {
   Json json = {{"studies", Json::array()}, {"no_study", counts(state.no_study)}, {"stale", state.stale},
                {"slurm", Json::array()},   {"running", Json::array()},           {"failed", Json::array()}};
-  for (const auto& study : state.studies)
+  for (const auto& study : state.studies) {
     json["studies"].push_back({{"study", study.name}, {"title", study.title}, {"jobs", counts(study)}});
+    if (disk) json["studies"].back()["fields_bytes"] = bytes_of(*disk, study.name);
+  }
+  if (disk)
+    json["disk"] = {{"catalog_bytes", disk->catalog},
+                    {"fields_bytes", disk->fields},
+                    {"no_study_bytes", bytes_of(*disk, "")}};
   for (const auto& s : submissions)
     json["slurm"].push_back({{"study", s.record.study},
                              {"array", s.record.array_id},
@@ -117,7 +131,27 @@ void print_who_runs(const std::vector<RunningJob>& running) {
     fmt::print("  `mpmstudy run` of a study takes up its jobs whose process has gone\n");
 }
 
-void print_text(const CatalogState& state, const std::vector<Submission>& submissions) {
+/// One line; the studies that have most are named.
+void print_disk(const CatalogState& state, const DiskUse& disk, bool all) {
+  const auto readable = [](std::int64_t bytes) { return readable_bytes(static_cast<double>(bytes)); };
+  std::vector<std::pair<std::int64_t, std::string>> studies;
+  for (const auto& study : state.studies)
+    if (const auto bytes = bytes_of(disk, study.name); bytes > 0) studies.emplace_back(bytes, study.name);
+  std::ranges::stable_sort(studies, std::ranges::greater{}, [](const auto& s) { return s.first; });
+  constexpr std::size_t most = 3;
+  std::string named;
+  for (std::size_t i = 0; i < std::min(most, studies.size()); ++i)
+    named += fmt::format("{}{} {}", i == 0 ? "" : ", ", studies[i].second, readable(studies[i].first));
+  if (studies.size() > most) named += fmt::format(", {} more", studies.size() - most);
+  fmt::print("\ndisk: catalog {}, fields {}{}", readable(disk.catalog), readable(disk.fields),
+             named.empty() ? "" : " (" + named + ")");
+  if (const auto free = bytes_of(disk, ""); all && free > 0)
+    fmt::print("; {} of them are of jobs that no study has (`mpmstudy gc` frees them)", readable(free));
+  fmt::print("\n");
+}
+
+void print_text(const StudiesReport& report) {
+  const auto& [state, submissions, disk, missed, all] = report;
   auto rows = state.studies;
   if (!state.no_study.jobs.empty()) rows.push_back(state.no_study);
   std::size_t width = 5;
@@ -130,6 +164,7 @@ void print_text(const CatalogState& state, const std::vector<Submission>& submis
     for (const auto status : all_states) fmt::print("  {:>9}", count(study, status));
     fmt::print("\n");
   }
+  if (disk) print_disk(state, *disk, all);
   print_queue(submissions);
   if (state.stale > 0)
     fmt::print("\n{} are of an older physics version: never reused, in no fit (stale = 1 in the view jobs)\n",
@@ -189,20 +224,22 @@ StudiesReport read_report(const StatusOptions& options) {
   StudiesReport report;
   report.state = read_state(options.results, study_names(options.studies));
   report.submissions = read_submissions(options.results);
+  report.all = options.studies.empty();
   report.missed = any_missed(options.results, report.state);
   return report;
 }
 
 void print_report(const StudiesReport& report, bool json) {
   if (json)
-    fmt::print("{}\n",
-               to_json(report.state, report.submissions).dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", to_json(report.state, report.submissions, report.disk)
+                           .dump(2, ' ', false, Json::error_handler_t::replace));
   else
-    print_text(report.state, report.submissions);
+    print_text(report);
 }
 
 int run_status(const StatusOptions& options) {
-  const auto report = read_report(options);
+  auto report = read_report(options);
+  report.disk = disk_use(options.results);
   print_report(report, options.json);
   return report.exit_code();
 }

@@ -1,8 +1,10 @@
 #pragma once
 /// `mpmstudy status [STUDY...]`: how far the studies of a catalog are. Reads only.
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "runner/catalog/garbage.hpp"
 #include "runner/catalog/reader.hpp"
 #include "runner/cli/cli.hpp"
 #include "runner/slurm/queue.hpp"
@@ -22,7 +24,9 @@ std::vector<std::string> study_names(const std::vector<std::string>& names_or_fi
 struct StudiesReport {
   CatalogState state;
   std::vector<Submission> submissions;
+  std::optional<DiskUse> disk;  ///< of a report that is made once, not again and again
   bool missed = false;  ///< a study has an accuracy that was not reached, or a search that found no bracket
+  bool all = true;      ///< of every study
 
   /// The state of the studies: exit_stopped if jobs are planned or running, else exit_failed if jobs failed
   /// or something was missed, else exit_ok. Jobs that no study has do not count.

@@ -38,7 +38,7 @@ Demand demand_of(const std::vector<Job>& jobs, int workers) {
   std::vector<double> bytes;
   for (const Job& job : jobs) bytes.push_back(predicted_bytes(job.scene, job.estimate));
   std::sort(bytes.begin(), bytes.end(), std::greater<>());
-  Demand demand{bytes_of_program, wall_seconds(jobs, workers)};
+  Demand demand{bytes_of_program, wall_seconds(jobs, workers), bytes.empty() ? 0 : bytes.front()};
   const auto at_once = std::min(bytes.size(), static_cast<std::size_t>(std::max(workers, 1)));
   for (std::size_t i = 0; i < at_once; ++i) demand.bytes += bytes[i];
   return demand;

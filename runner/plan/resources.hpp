@@ -15,6 +15,7 @@ double predicted_bytes(const mpm::Scene&, const mpm::Estimate&);
 struct Demand {
   double bytes = 0;         ///< of the largest jobs that may run at one time, program included
   double wall_seconds = 0;  ///< the longest job first
+  double largest = 0;       ///< of the largest of them [bytes]
 };
 Demand demand_of(const std::vector<Job>&, int workers);
 

@@ -216,6 +216,7 @@ TEST(BadInput, ARunThatTakesTooMuchIsRefused) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, StartsWith("run: would take about "));
   EXPECT_THAT(outcome.err, HasSubstr(" GB of memory, of which "));
+  EXPECT_THAT(outcome.err, HasSubstr("(the largest job alone takes "));
   EXPECT_THAT(outcome.err, testing::ContainsRegex("and about [0-9]+ h [0-9]+ min"));
   EXPECT_THAT(outcome.err, HasSubstr("--yes"));
   EXPECT_EQ(folder.contents(), before);
