@@ -109,19 +109,10 @@ class GaugeReader {
                     {"not a place", "allowed: [\"1 um\", \"2 um\"]: x and y, in three dimensions z as well"});
       return;
     }
-    for (const Value& coordinate : *list) {
-      const Number number = read_quantity(coordinate, {"m"}, units_);
-      std::vector<double>& place = request_.gauge.place;
-      if (const double* si = std::get_if<double>(&number)) {
-        place.push_back(*si + 0.0);  // -0 is 0
-      } else if (const std::string* text = coordinate.string(); text && !names_in(*text).empty()) {
-        if (auto expression = read_expression(key, coordinate, {"m"}, units_, known_, mistakes_))
-          request_.coordinates.emplace(place.size(), std::move(*expression));
-        place.push_back(0);
-      } else {
-        mistakes_.add(key, coordinate, std::get<Refusal>(number));
-      }
-    }
+    request_.gauge.place.resize(list->size());
+    for (std::size_t axis = 0; axis < list->size(); ++axis)
+      if (auto number = JobNumber::read(key, (*list)[axis], {"m"}, units_, known_, mistakes_))
+        request_.take(std::move(*number), [axis](mpm::Gauge& gauge, double si) { gauge.place[axis] = si; });
   }
 
   void read_reductions(const Entry& reduce) {
@@ -140,46 +131,41 @@ class GaugeReader {
                       {"a gauge has its max, min, end and stop by itself", "allowed: another name"});
       else if (!mpm::is_gauge_name(entry.key))
         mistakes_.add(entry.key, entry.value, {"cannot be a metric's name", allowed_name});
-      else if (auto reduction = read_reduction(entry))
-        request_.gauge.reductions.push_back(std::move(*reduction));
+      else
+        read_reduction(entry);
     }
     std::ranges::sort(request_.gauge.reductions, {}, &mpm::Reduction::name);
   }
 
-  std::optional<mpm::Reduction> read_reduction(const Entry& entry) {
-    const auto refuse = [&](Refusal refusal) -> std::optional<mpm::Reduction> {
-      mistakes_.add(entry.key, entry.value, std::move(refusal));
-      return std::nullopt;
-    };
+  void read_reduction(const Entry& entry) {
     const std::string* text = entry.value.string();
-    const auto space = text ? text->find(' ') : std::string::npos;
-    if (space == std::string::npos) return refuse({"not a reduction", allowed_reduction});
-    const std::string word = text->substr(0, space);
+    const auto times = text ? numbers_of_reduction(*text) : std::vector<std::string_view>{};
+    if (times.empty()) return mistakes_.add(entry.key, entry.value, {"not a reduction", allowed_reduction});
+    const std::string word = text->substr(0, text->find(' '));
     const bool at = word == "at";
     const auto window = at ? mpm::Window::mean : mpm::window_from(word);
     if (!window)
-      return refuse(
+      return mistakes_.add(
+          entry.key, entry.value,
           unknown_word(word, "reduction", std::array<std::string_view, 4>{"at", "mean", "max", "min"}));
-    const std::string times = text->substr(space + 1);
-    const auto to = times.find(" to ");
-    if (at != (to == std::string::npos)) return refuse({"not a reduction", allowed_reduction});
-    mpm::Reduction reduction{entry.key, *window, 0, 0};
-    const auto read_time = [&](const std::string& written, double& time) {
-      const Number number =
-          read_quantity({entry.value.place, written}, {"s", mpm::Range::non_negative}, units_);
-      if (const auto* refusal = std::get_if<Refusal>(&number)) {
-        refuse(*refusal);
-        return false;
-      }
-      time = std::get<double>(number) + 0.0;
-      return true;
+    if (at != (times.size() == 1))
+      return mistakes_.add(entry.key, entry.value, {"not a reduction", allowed_reduction});
+    request_.gauge.reductions.push_back({entry.key, *window, 0, 0});
+    const auto take = [&](std::string_view time, double mpm::Reduction::*of) {
+      auto number = JobNumber::read_part(entry.key, entry.value, time, {"s", mpm::Range::non_negative},
+                                         units_, known_, mistakes_);
+      if (number)
+        request_.take(std::move(*number), [name = entry.key, of](mpm::Gauge& gauge, double si) {
+          (*std::ranges::find(gauge.reductions, name, &mpm::Reduction::name)).*of = si;
+        });
+      return number.has_value();
     };
-    if (!read_time(times.substr(0, to), reduction.from)) return std::nullopt;
-    reduction.to = reduction.from;
-    if (!at && !read_time(times.substr(to + 4), reduction.to)) return std::nullopt;
-    if (reduction.to < reduction.from)
-      return refuse({"ends before it begins", "allowed: the earlier time first"});
-    return reduction;
+    const std::size_t of_job = request_.of_job.size();
+    if (!take(times.front(), &mpm::Reduction::from) || !take(times.back(), &mpm::Reduction::to)) return;
+    const mpm::Reduction& reduction = request_.gauge.reductions.back();
+    // what is an expression is compared job by job
+    if (request_.of_job.size() == of_job && reduction.to < reduction.from)
+      mistakes_.add(entry.key, entry.value, {"ends before it begins", "allowed: the earlier time first"});
   }
 
   const Entry& entry_;
@@ -190,84 +176,29 @@ class GaugeReader {
   GaugeRequest request_;
 };
 
-/// Without the spaces around it.
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-/// Reads [[stop]] into the gauges.
-class StopReader {
- public:
-  StopReader(const std::vector<mpm::Space>& spaces, const Units& units, std::vector<GaugeRequest>& gauges,
-             Mistakes& mistakes)
-      : spaces_(spaces), units_(units), gauges_(gauges), mistakes_(mistakes) {}
-
-  void read(const Entry& entry, const Table& table) {
-    mpm::Threshold threshold;
-    if (const Entry* after = table.find("after"))
-      read_number(*after, {"s", mpm::Range::non_negative}, after->value, threshold.after);
-    const auto when = required_string(table, entry.place, "when", "\"rear < 0 m/s\"", mistakes_);
-    if (!when) return;
-    const Entry& condition = *table.find("when");
-    const auto sign = when->find_first_of("<>");
-    if (sign == std::string::npos)
-      return mistakes_.add("when", condition.value,
-                           {"not a condition", "allowed: a gauge, < or >, and a value: \"rear < 0 m/s\""});
-    threshold.below = (*when)[sign] == '<';
-    GaugeRequest* gauge = find(trimmed(when->substr(0, sign)), condition.value);
-    const auto* quantity = gauge ? mpm::find_gauge_quantity(gauge->gauge.target, gauge->gauge.of) : nullptr;
-    if (!quantity) return;  // said already
-    const std::string_view unit = quantity->unit_in(spaces_.front());
-    if (std::ranges::any_of(spaces_, [&](mpm::Space s) { return quantity->unit_in(s) != unit; }))
-      return mistakes_.add(
-          "when", condition.value,
-          {"is of another unit in each space of the study", "allowed: a study of one space"});
-    const Value value{condition.value.place, trimmed(when->substr(sign + 1))};
-    if (!read_number(condition, {unit}, value, threshold.value)) return;
-    gauge->gauge.stops.push_back(threshold);
-    if (const Entry* after = table.find("after"))
-      gauge->keys["after"] = {after->value.place, after->value.written()};
-  }
-
- private:
-  GaugeRequest* find(const std::string& name, const Value& where) {
-    std::vector<std::string_view> names;
-    for (GaugeRequest& one : gauges_) {
-      if (one.gauge.name == name) return &one;
-      names.push_back(one.gauge.name);
-    }
-    mistakes_.add("when", where,
-                  names.empty() ? Refusal{"there is no [[gauge]]", "add one that it can look at"}
-                                : unknown_word(name, "gauge", names));
-    return nullptr;
-  }
-  bool read_number(const Entry& entry, const Expected& expected, const Value& value, double& number) {
-    const Number read = read_quantity(value, expected, units_);
-    if (const auto* refusal = std::get_if<Refusal>(&read)) {
-      mistakes_.add(entry.key, entry.value, *refusal);
-      return false;
-    }
-    number = std::get<double>(read) + 0.0;
-    return true;
-  }
-
-  const std::vector<mpm::Space>& spaces_;
-  const Units& units_;
-  std::vector<GaugeRequest>& gauges_;
-  Mistakes& mistakes_;
-};
-
 }  // namespace
 
-void read_stops(const Table& document, const std::vector<mpm::Space>& spaces, const Units& units,
-                std::vector<GaugeRequest>& gauges, Mistakes& mistakes) {
-  StopReader reader(spaces, units, gauges, mistakes);
-  for_each_table(document, "stop", mistakes,
-                 [&](const Entry& entry, const Table& table) { reader.read(entry, table); });
-  for (GaugeRequest& one : gauges)
-    std::ranges::sort(one.gauge.stops, {},
-                      [](const mpm::Threshold& t) { return std::tuple(t.below, t.value, t.after); });
+void GaugeRequest::take(JobNumber number, std::function<void(mpm::Gauge&, double)> set) {
+  if (const double* si = number.constant())
+    set(gauge, *si);
+  else
+    of_job.push_back({std::move(number), std::move(set)});
+}
+
+void GaugeRequest::value_in(mpm::Gauge& of_job_gauge, const ValueOf& value, Mistakes& mistakes) const {
+  for (const OfJob& one : of_job)
+    if (const auto si = one.number.value(value, mistakes)) one.set(of_job_gauge, *si);
+  std::ranges::sort(of_job_gauge.stops, {},
+                    [](const mpm::Threshold& t) { return std::tuple(t.below, t.value, t.after); });
+}
+
+std::vector<std::string_view> numbers_of_reduction(std::string_view text) {
+  const auto space = text.find(' ');
+  if (space == text.npos) return {};
+  const std::string_view times = text.substr(space + 1);
+  const auto to = times.find(" to ");
+  if (to == times.npos) return {times};
+  return {times.substr(0, to), times.substr(to + 4)};
 }
 
 std::vector<GaugeRequest> read_gauges(const Table& document, const Units& units, const KnownParameters& known,

@@ -1,12 +1,14 @@
 #pragma once
 /// [[gauge]]: what the jobs of a study record over time.
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libmpm/scene/gauge.hpp"
+#include "runner/study/job_number.hpp"
 #include "runner/study/mistakes.hpp"
-#include "runner/study/quantity_reader.hpp"
 #include "runner/study/units.hpp"
 
 namespace mpmstudy {
@@ -21,7 +23,17 @@ struct GaugeRequest {
     std::string text;
   };
   std::map<std::string, Written> keys;
-  std::map<std::size_t, Expression> coordinates;  ///< of its place, that are expressions: 0 is x
+  /// A number of the gauge that is an expression, and what it is a number of.
+  struct OfJob {
+    JobNumber number;
+    std::function<void(mpm::Gauge&, double si)> set;
+  };
+  std::vector<OfJob> of_job;
+
+  /// A number of the gauge: set now where it is the same in every job, else job by job.
+  void take(JobNumber, std::function<void(mpm::Gauge&, double si)> set);
+  /// Gives the gauge of one job its numbers, and sorts its stops.
+  void value_in(mpm::Gauge&, const ValueOf&, Mistakes&) const;
 };
 
 /// By name: the order in which a file has them is no part of what a job is.
@@ -29,7 +41,12 @@ std::vector<GaugeRequest> read_gauges(const Table& document, const Units&, const
 
 /// [[stop]]: adds to the gauges at what values they end a run. `spaces`: those of the study, one or more.
 void read_stops(const Table& document, const std::vector<mpm::Space>& spaces, const Units&,
-                std::vector<GaugeRequest>&, Mistakes&);
+                const KnownParameters&, std::vector<GaugeRequest>&, Mistakes&);
+
+/// The parts of a reduction or of a condition that are numbers: of "mean 1 ns to 3 ns", "rear < limit".
+/// Empty where it is neither.
+std::vector<std::string_view> numbers_of_reduction(std::string_view);
+std::vector<std::string_view> numbers_of_condition(std::string_view);
 
 /// The unit of a number of a gauge in these scenes, by their own gauges: another study may have one of that
 /// name. "kg/m or kg/rad" where their spaces differ; "": they have no such gauge.

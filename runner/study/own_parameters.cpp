@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "runner/study/gauges.hpp"
 #include "runner/study/requirement.hpp"
 #include "runner/study/schema.hpp"
 
@@ -17,9 +18,16 @@ bool may_have_expressions(std::string_view table) {
 
 /// Keys whose text is a name or a word, and no expression.
 bool is_word(std::string_view key) {
-  constexpr std::string_view words[] = {"name", "title", "material", "base", "axis", "unit",
-                                        "of",   "body",  "wall",     "when", "kind"};
+  constexpr std::string_view words[] = {"name", "title", "material", "base", "axis",
+                                        "unit", "of",    "body",     "wall", "kind"};
   return std::ranges::find(words, key) != std::end(words) || mpm::find_choice(key);
+}
+
+template <class Parts>
+void add_names_of_parts(const Value& value, const Parts& parts_of, std::set<std::string>& names) {
+  if (const std::string* text = value.string())
+    for (const std::string_view part : parts_of(*text))
+      for (std::string& name : names_in(part)) names.insert(std::move(name));
 }
 
 void add_names(const Value& value, std::set<std::string>& names) {
@@ -27,8 +35,16 @@ void add_names(const Value& value, std::set<std::string>& names) {
     for (std::string& name : names_in(*text)) names.insert(std::move(name));
   if (const List* list = value.list())
     for (const Value& one : *list) add_names(one, names);
-  for (const Entry& one : entries_of(value.table()))
-    if (!is_word(one.key)) add_names(one.value, names);
+  for (const Entry& one : entries_of(value.table())) {
+    if (is_word(one.key)) continue;
+    if (one.key == "reduce")
+      for (const Entry& reduction : entries_of(one.value.table()))
+        add_names_of_parts(reduction.value, numbers_of_reduction, names);
+    else if (one.key == "when")
+      add_names_of_parts(one.value, numbers_of_condition, names);
+    else
+      add_names(one.value, names);
+  }
 }
 
 /// What follows the number of "32.4 mm".

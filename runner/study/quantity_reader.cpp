@@ -39,20 +39,20 @@ std::optional<double> expression_value(const Place& place, std::string_view key,
   return std::get<double>(number);
 }
 
-QuantityReader::Read QuantityReader::read_once(std::string_view key, const Value& value,
-                                               const Expected& expected, Mistakes& mistakes) const {
-  const Number number = read_quantity(value, expected, units_);
-  if (const double* si = std::get_if<double>(&number)) return *si;
+NumberOrExpression read_number_or_expression(std::string_view key, const Value& value, const Value& whole,
+                                             const Expected& expected, const Units& units,
+                                             const KnownParameters& known, Mistakes& mistakes) {
+  const Number number = read_quantity(value, expected, units);
+  if (const double* si = std::get_if<double>(&number)) return *si + 0.0;  // -0 is 0
   const std::string* text = value.string();
   // without a parameter in it, too, it may be a sum: "1 um + 2 um"
   const auto is_sum = [&] {
     return text->find_first_of("+*/(", 1) != std::string::npos &&
-           std::holds_alternative<Expression>(
-               Expression::read(*text, units_, known_.dimension, known_.names));
+           std::holds_alternative<Expression>(Expression::read(*text, units, known.dimension, known.names));
   };
   if (!text || (names_in(*text).empty() && !is_sum()))
-    mistakes.add(key, value, std::get<Refusal>(number));
-  else if (auto expression = read_expression(key, value, expected, units_, known_, mistakes))
+    mistakes.add(key, whole, std::get<Refusal>(number));
+  else if (auto expression = read_expression(key, value, expected, units, known, mistakes))
     return std::move(*expression);
   return {};
 }
@@ -61,7 +61,9 @@ std::optional<double> QuantityReader::read(std::string_view key, const Value& va
                                            const ValueOf& of, Mistakes& mistakes) {
   const std::string* text = value.string();
   const auto known = text ? read_.find({*text, std::string(expected.unit)}) : read_.end();
-  Read read = known != read_.end() ? known->second : read_once(key, value, expected, mistakes);
+  NumberOrExpression read =
+      known != read_.end() ? NumberOrExpression(known->second)
+                           : read_number_or_expression(key, value, value, expected, units_, known_, mistakes);
   const auto* expression = std::get_if<Expression>(&read);
   if (text && expression) read_.try_emplace({*text, std::string(expected.unit)}, *expression);
   if (const double* si = std::get_if<double>(&read)) return *si;

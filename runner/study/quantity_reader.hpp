@@ -34,6 +34,13 @@ std::optional<Expression> read_expression(std::string_view key, const Value&, co
 std::optional<double> expression_value(const Place&, std::string_view key, std::string_view written,
                                        double si, const Expected&, Mistakes&);
 
+/// A number with its unit, or an expression of that unit. Nothing after adding a mistake; of what is neither,
+/// the mistake shows `whole`, which the value is a part of.
+using NumberOrExpression = std::variant<std::monostate, double, Expression>;
+NumberOrExpression read_number_or_expression(std::string_view key, const Value&, const Value& whole,
+                                             const Expected&, const Units&, const KnownParameters&,
+                                             Mistakes&);
+
 class QuantityReader {
  public:
   QuantityReader(const Units& units, KnownParameters known) : units_(units), known_(std::move(known)) {}
@@ -43,13 +50,9 @@ class QuantityReader {
   std::optional<double> read(std::string_view key, const Value&, const Expected&, const ValueOf&, Mistakes&);
 
  private:
-  /// Nothing where it cannot be read.
-  using Read = std::variant<std::monostate, double, Expression>;
-  Read read_once(std::string_view key, const Value&, const Expected&, Mistakes&) const;
-
   const Units& units_;
   KnownParameters known_;
-  std::map<std::pair<std::string, std::string>, Read> read_;  ///< by text and unit
+  std::map<std::pair<std::string, std::string>, Expression> read_;  ///< by text and unit
 };
 
 }  // namespace mpmstudy

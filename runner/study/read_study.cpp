@@ -241,18 +241,16 @@ class Reader {
       mistakes_.add("snapshots", entry->value, {"not a list", "allowed: times such as [\"1 ns\", \"2 ns\"]"});
       return;
     }
-    for (const Value& value : *list) {
-      const Number time = read_quantity(value, {"s", mpm::Range::non_negative}, units_);
-      if (const auto* refusal = std::get_if<Refusal>(&time))
-        mistakes_.add("snapshots", value, *refusal);
-      else
-        request_.snapshots.push_back({std::get<double>(time), value.place});
-    }
+    for (const Value& value : *list)
+      if (auto time = JobNumber::read("snapshots", value, {"s", mpm::Range::non_negative}, units_,
+                                      own_->known(mistakes_), mistakes_))
+        request_.snapshots.push_back(std::move(*time));
   }
 
   void read_all_gauges() {
     request_.gauges = read_gauges(document_, units_, own_->known(mistakes_), mistakes_);
-    read_stops(document_, spaces_of(request_.axes), units_, request_.gauges, mistakes_);
+    read_stops(document_, spaces_of(request_.axes), units_, own_->known(mistakes_), request_.gauges,
+               mistakes_);
     for (const GaugeRequest& one : request_.gauges) study_.gauges.push_back(one.gauge);
     if (request_.gauges.empty()) return;
     study_.given.emplace_back("gauges");

@@ -28,16 +28,25 @@ mpm::Scene base_scene(const SceneRequest& request) {
   mpm::Scene scene;
   scene.kind = request.kind;
   scene.numerics = mpm::default_numerics(request.kind);
-  for (const Point& snapshot : request.snapshots) scene.measures.snapshots.push_back(snapshot.value);
   for (const GaugeRequest& one : request.gauges) scene.measures.gauges.push_back(one.gauge);
   if (request.seeks_ejection) {
     scene.measures.decides = mpm::Decides::ejection;
     scene.measures.stop = mpm::Stop::decided;
   }
-  auto& times = scene.measures.snapshots;
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
   return scene;
+}
+
+/// The times of the snapshots of one job, in the order of the request.
+std::vector<double> snapshot_times(const SceneRequest& request, const ValueOf& value, Mistakes& mistakes) {
+  std::vector<double> times;
+  for (const JobNumber& one : request.snapshots) times.push_back(one.value(value, mistakes).value_or(0));
+  return times;
+}
+
+std::vector<double> ascending(std::vector<double> times) {
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
 }
 
 /// Puts mistakes of one job where their values were written.
@@ -47,11 +56,12 @@ class Reporter {
            const Combinations& combinations, Mistakes& mistakes)
       : request_(request), assignments_(assignments), combinations_(combinations), mistakes_(mistakes) {}
 
-  void check(const mpm::Scene& scene, std::uint64_t job) {
-    for (const Point& snapshot : request_.snapshots)
-      if (snapshot.value > scene.end_time) {
+  /// `snapshots`: times in the order of the request.
+  void check(const mpm::Scene& scene, std::uint64_t job, const std::vector<double>& snapshots) {
+    for (std::size_t k = 0; k < snapshots.size(); ++k)
+      if (snapshots[k] > scene.end_time) {
         const auto text = [&](double time) { return in_written_unit(time, "s", "end_time", request_.units); };
-        mistakes_.add(snapshot.place, "snapshots", text(snapshot.value),
+        mistakes_.add(request_.snapshots[k].place(), "snapshots", text(snapshots[k]),
                       {"after the end of the run", "allowed: up to end_time = " + text(scene.end_time)});
       }
     for (const mpm::Problem& problem : mpm::find_problems(scene)) {
@@ -132,17 +142,6 @@ class Reporter {
   Mistakes& mistakes_;
 };
 
-/// Gives a gauge the coordinates that are expressions.
-void place_gauge(const GaugeRequest& request, const ValueOf& value, mpm::Gauge& gauge, Mistakes& mistakes) {
-  for (const auto& [axis, expression] : request.coordinates) {
-    const double si = expression.value(value);
-    if (!std::isfinite(si))
-      mistakes.add(request.place, "gauge." + gauge.name,
-                   {"has a coordinate that is no finite number", "allowed: expressions with a value"});
-    gauge.place[axis] = si + 0.0;  // -0 is 0
-  }
-}
-
 /// Points between the ends of a range, and those of a distribution, that their quantity cannot have.
 void check_ranges(const SceneRequest& request, const std::vector<Assignment>& assignments,
                   const Combinations& combinations, std::uint64_t job, Mistakes& mistakes) {
@@ -220,7 +219,9 @@ SweptScenes build_scenes(const SceneRequest& request, const Combinations& combin
     }
     if (request.bodies) request.bodies->apply(scene, std::cref(value), of_job);
     for (std::size_t k = 0; k < request.gauges.size(); ++k)
-      place_gauge(request.gauges[k], std::cref(value), scene.measures.gauges[k], of_job);
+      request.gauges[k].value_in(scene.measures.gauges[k], std::cref(value), of_job);
+    const std::vector<double> snapshots = snapshot_times(request, std::cref(value), of_job);
+    scene.measures.snapshots = ascending(snapshots);
     if (!of_job.empty()) {
       refuse(of_job);
       continue;  // what follows compares numbers that have to be there
@@ -229,7 +230,7 @@ SweptScenes build_scenes(const SceneRequest& request, const Combinations& combin
     if (request.ladder.finds_cell) scene.numerics.cell_size = coarsest_cell(scene);
     if (scene.measures.area_every == 0) scene.measures.area_every = scene.end_time / default_area_samples;
     if (scene.measures.detached_for == 0) scene.measures.detached_for = mpm::default_detached_for(scene);
-    Reporter(request, ordered, combinations, of_job).check(scene, job);
+    Reporter(request, ordered, combinations, of_job).check(scene, job, snapshots);
     if (of_job.empty())
       swept.scenes.push_back(std::move(scene));
     else

@@ -1,0 +1,45 @@
+#include "runner/study/job_number.hpp"
+
+namespace mpmstudy {
+
+JobNumber::JobNumber(std::string_view key, const Value& value, const Expected& expected,
+                     std::variant<double, Expression> number)
+    : place_(value.place),
+      key_(key),
+      written_(value.written()),
+      expected_(expected),
+      number_(std::move(number)) {}
+
+std::optional<JobNumber> JobNumber::read(std::string_view key, const Value& value, const Value& whole,
+                                         const Expected& expected, const Units& units,
+                                         const KnownParameters& known, Mistakes& mistakes) {
+  auto read = read_number_or_expression(key, value, whole, expected, units, known, mistakes);
+  if (const double* si = std::get_if<double>(&read)) return JobNumber(key, value, expected, *si);
+  if (auto* expression = std::get_if<Expression>(&read))
+    return JobNumber(key, value, expected, std::move(*expression));
+  return std::nullopt;
+}
+
+std::optional<JobNumber> JobNumber::read(std::string_view key, const Value& value, const Expected& expected,
+                                         const Units& units, const KnownParameters& known,
+                                         Mistakes& mistakes) {
+  return read(key, value, value, expected, units, known, mistakes);
+}
+
+std::optional<JobNumber> JobNumber::read_part(std::string_view key, const Value& whole, std::string_view part,
+                                              const Expected& expected, const Units& units,
+                                              const KnownParameters& known, Mistakes& mistakes) {
+  Value value{whole.place, std::string(part)};
+  // --set has no columns
+  if (value.place.line > 0 && !part.empty())
+    value.place.column += static_cast<std::uint32_t>(part.data() - whole.string()->data());
+  return read(key, value, whole, expected, units, known, mistakes);
+}
+
+std::optional<double> JobNumber::value(const ValueOf& of, Mistakes& mistakes) const {
+  if (const double* si = constant()) return *si;
+  return expression_value(place_, key_, written_, std::get<Expression>(number_).value(of), expected_,
+                          mistakes);
+}
+
+}  // namespace mpmstudy
