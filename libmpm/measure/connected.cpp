@@ -1,6 +1,7 @@
 #include "libmpm/measure/connected.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -25,23 +26,31 @@ class Roots {
   std::vector<int> parent_;
 };
 
-/// Points by bins, row by row.
+template <int axes>
+using Index = std::array<int, axes>;
+
+/// Points by bins, along the first axis first.
+template <int axes>
 struct Bins {
-  int columns = 0, rows = 0;
+  Index<axes> counts{};    ///< along each axis
   std::vector<int> first;  ///< of each bin, in `order`; one more than bins
   std::vector<int> order;  ///< points
   std::vector<int> bin;    ///< of each point
 
-  Bins(std::span<const Vec2> points, double side) {
-    Vec2 low = points[0], high = points[0];
-    for (const Vec2& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
-    columns = 1 + static_cast<int>((high.x() - low.x()) / side);
-    rows = 1 + static_cast<int>((high.y() - low.y()) / side);
-    first.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) + 1, 0);
+  Bins(std::span<const Vec<axes>> points, double side) {
+    Vec<axes> low = points[0], high = points[0];
+    for (const Vec<axes>& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    std::size_t all = 1;
+    for (int d = 0; d < axes; ++d) {
+      counts[d] = 1 + static_cast<int>((high[d] - low[d]) / side);
+      all *= static_cast<std::size_t>(counts[d]);
+    }
+    first.assign(all + 1, 0);
     bin.reserve(points.size());
-    for (const Vec2& x : points) {
-      bin.push_back(static_cast<int>((x.y() - low.y()) / side) * columns +
-                    static_cast<int>((x.x() - low.x()) / side));
+    for (const Vec<axes>& x : points) {
+      Index<axes> at;
+      for (int d = 0; d < axes; ++d) at[d] = static_cast<int>((x[d] - low[d]) / side);
+      bin.push_back(number(at));
       ++first[static_cast<std::size_t>(bin.back()) + 1];
     }
     std::partial_sum(first.begin(), first.end(), first.begin());
@@ -50,6 +59,17 @@ struct Bins {
     for (std::size_t p = 0; p < points.size(); ++p)
       order[static_cast<std::size_t>(next[static_cast<std::size_t>(bin[p])]++)] = static_cast<int>(p);
   }
+  int count() const { return static_cast<int>(first.size()) - 1; }
+  int number(const Index<axes>& at) const {
+    int k = 0;
+    for (int d = axes - 1; d >= 0; --d) k = k * counts[d] + at[d];
+    return k;
+  }
+  Index<axes> index(int k) const {
+    Index<axes> at;
+    for (int d = 0; d < axes; ++d) at[d] = k % counts[d], k /= counts[d];
+    return at;
+  }
   std::span<const int> of(int k) const {
     const auto b = static_cast<std::size_t>(k);
     return std::span(order).subspan(static_cast<std::size_t>(first[b]),
@@ -57,11 +77,25 @@ struct Bins {
   }
 };
 
+/// The steps to the bins within two of one that come after it: each pair of bins once.
+template <int axes>
+std::vector<Index<axes>> steps_ahead() {
+  std::vector<Index<axes>> steps;
+  const int all = axes == 2 ? 25 : 125;
+  for (int k = all / 2 + 1; k < all; ++k) {
+    Index<axes> step;
+    for (int d = 0, rest = k; d < axes; ++d, rest /= 5) step[d] = rest % 5 - 2;
+    steps.push_back(step);
+  }
+  return steps;
+}
+
 }  // namespace
 
-ConnectedParts connected_parts(std::span<const Vec2> points, double link) {
+template <int axes>
+ConnectedParts connected_parts(std::span<const Vec<axes>> points, double link) {
   if (points.empty()) return {};
-  const Bins bins(points, link * std::sqrt(0.5));
+  const Bins<axes> bins(points, link / std::sqrt(static_cast<double>(axes)));
   const auto close = [&](int a, int b) {
     for (const int p : bins.of(a))
       for (const int q : bins.of(b))
@@ -70,22 +104,27 @@ ConnectedParts connected_parts(std::span<const Vec2> points, double link) {
           return true;
     return false;
   };
-  Roots roots(bins.first.size() - 1);
-  for (int j = 0; j < bins.rows; ++j)
-    for (int i = 0; i < bins.columns; ++i) {
-      const int here = j * bins.columns + i;
-      if (bins.of(here).empty()) continue;
-      for (int dj = 0; dj <= 2; ++dj)
-        for (int di = dj == 0 ? 1 : -2; di <= 2; ++di) {
-          if (i + di < 0 || i + di >= bins.columns || j + dj >= bins.rows) continue;
-          const int there = here + dj * bins.columns + di;
-          if (!bins.of(there).empty() && roots.find(here) != roots.find(there) && close(here, there))
-            roots.join(here, there);
-        }
+  Roots roots(static_cast<std::size_t>(bins.count()));
+  const auto steps = steps_ahead<axes>();
+  for (int here = 0; here < bins.count(); ++here) {
+    if (bins.of(here).empty()) continue;
+    const Index<axes> at = bins.index(here);
+    for (const Index<axes>& step : steps) {
+      Index<axes> to;
+      bool inside = true;
+      for (int d = 0; d < axes; ++d) {
+        to[d] = at[d] + step[d];
+        inside = inside && to[d] >= 0 && to[d] < bins.counts[d];
+      }
+      if (!inside) continue;
+      const int there = bins.number(to);
+      if (!bins.of(there).empty() && roots.find(here) != roots.find(there) && close(here, there))
+        roots.join(here, there);
     }
+  }
   ConnectedParts result;
   result.part.reserve(points.size());
-  std::vector<int> number(bins.first.size() - 1, -1);
+  std::vector<int> number(static_cast<std::size_t>(bins.count()), -1);
   for (std::size_t p = 0; p < points.size(); ++p) {
     int& n = number[static_cast<std::size_t>(roots.find(bins.bin[p]))];
     if (n < 0) n = result.count++;
@@ -93,5 +132,8 @@ ConnectedParts connected_parts(std::span<const Vec2> points, double link) {
   }
   return result;
 }
+
+template ConnectedParts connected_parts<2>(std::span<const Vec2>, double);
+template ConnectedParts connected_parts<3>(std::span<const Vec3>, double);
 
 }  // namespace mpm

@@ -22,7 +22,7 @@ constexpr ResultRow rows[] = {
      .unit = "kg",
      .meaning = "mass that has been ejected (`decides = \"ejection\"`)",
      .needs = Needs::ejection,
-     .spaces = {Space::axisymmetric}},
+     .spaces = {Space::axisymmetric, Space::three_d}},
     {.name = "ejecta_speed_m_s",
      .unit = "m/s",
      .meaning = "its mean speed against the wall",
@@ -45,51 +45,71 @@ constexpr ResultRow rows[] = {
 constexpr double least_share = 0.01;    ///< of the wall's mass that counts as ejected
 constexpr double watched_share = 0.05;  ///< of the wall's mass whose speed tells of arrest
 
-/// Of the part with this number, the largest height between left and right.
-double highest_between(const Particles& ps, const ConnectedParts& connected, int number, double left,
-                       double right) {
+/// Whether a place across the impact is in a box: between left and right, of three axes front and back too.
+template <int axes>
+bool across(const Vec<axes>& x, const Vec<axes>& low, const Vec<axes>& high) {
+  if (x.x() < low.x() || x.x() > high.x()) return false;
+  if constexpr (axes == 3) return x.z() >= low.z() && x.z() <= high.z();
+  return true;
+}
+
+/// Of the part with this number, the largest height over the extent of another across the impact.
+template <int axes>
+double highest_over(const BasicParticles<axes>& ps, const ConnectedParts& connected, int number,
+                    const Vec<axes>& low, const Vec<axes>& high) {
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < ps.size(); ++p) {
-    const Vec2& x = ps.position[p];
-    if (connected.part[p] == number && x.x() >= left && x.x() <= right) highest = std::max(highest, x.y());
+    const Vec<axes>& x = ps.position[p];
+    if (connected.part[p] == number && across<axes>(x, low, high)) highest = std::max(highest, x.y());
   }
   return highest;
 }
 
+template <int axes>
+double distance_from_axis(const Vec<axes>& x) {
+  if constexpr (axes == 3) return std::hypot(x.x(), x.z());
+  return std::abs(x.x());
+}
+
 }  // namespace
 
-std::span<const ResultRow> Ejection::results() { return rows; }
+template <int axes>
+std::span<const ResultRow> BasicEjection<axes>::results() {
+  return rows;
+}
 
-Ejection::Ejection(const Scene& s, const State& state)
+template <int axes>
+BasicEjection<axes>::BasicEjection(const Scene& s, const BasicState<axes>& state)
     : speed_(s.impact_speed),
       radius_(s.cavity_radius),
       link_(state.grid.cell().minCoeff()),
-      wall_mass_((state.space == Space::axisymmetric ? std::numbers::pi * s.cavity_radius * s.cavity_radius
-                                                     : 2 * s.cavity_radius) *
+      wall_mass_((state.space == Space::plane_strain ? 2 * s.cavity_radius
+                                                     : std::numbers::pi * s.cavity_radius * s.cavity_radius) *
                  (s.block_height - s.cavity_center_height - s.cavity_radius) * s.material.reference_density),
       hold_(s.measures.detached_for),
       arrival_(s.block_height / s.material.bulk_sound_speed + s.cavity_radius / s.impact_speed),
       half_(s.numerics.symmetry == Symmetry::half),
       axisymmetric_(state.space == Space::axisymmetric),
+      is_sphere_(state.space != Space::plane_strain),
       stop_early_(s.measures.stop == Stop::decided),
       all_(axisymmetric_ ? 2 * std::numbers::pi
-           : half_       ? 2
+           : half_       ? std::pow(2, axes - 1)
                          : 1),
       apart_since_(state.particles.size(), -1) {}
 
 /// One connected part, as it is modelled.
-struct Ejection::Part {
+template <int axes>
+struct BasicEjection<axes>::Part {
   double mass = 0, momentum = 0;  ///< along the impact
   double mass_apart = 0;          ///< of particles that have been apart long enough
-  double whole_of_modelled = 1;   ///< 2 if joined to its image in half a scene; 2 pi of a ring
   double moment = 0;              ///< mass times height
-  double left = 0, right = 0;     ///< where it reaches from and to
-
-  double whole(double modelled) const { return whole_of_modelled * modelled; }
+  Vec<axes> low, high;            ///< where it reaches from and to
+  bool at_mirror[2] = {};         ///< joined to its image in that of x = 0, of z = 0
 };
 
 /// The body and what has come off it.
-struct Ejection::Parts {
+template <int axes>
+struct BasicEjection<axes>::Parts {
   ConnectedParts connected;
   std::vector<Part> parts;
   std::size_t body = 0;  ///< the heaviest
@@ -97,32 +117,44 @@ struct Ejection::Parts {
   std::size_t of(std::size_t particle) const { return static_cast<std::size_t>(connected.part[particle]); }
 };
 
-void Ejection::sample(const State& s, Observer&) {
+/// Of a part with its images: those that a mirror joins to it; a ring is the same all around.
+template <int axes>
+double BasicEjection<axes>::whole(const Part& part, double modelled) const {
+  if (axisymmetric_) return all_ * modelled;
+  return (part.at_mirror[0] ? 2 : 1) * (part.at_mirror[1] ? 2 : 1) * modelled;
+}
+
+template <int axes>
+void BasicEjection<axes>::sample(const BasicState<axes>& s, Observer&) {
   Parts parts = parts_of(s.particles);
   find_ejecta(s, parts);
   if (verdict_ == Verdict::undecided) find_arrest(s, parts);
 }
 
-Ejection::Parts Ejection::parts_of(const Particles& ps) const {
-  Parts all{connected_parts(ps.position, link_), {}, 0};
+template <int axes>
+typename BasicEjection<axes>::Parts BasicEjection<axes>::parts_of(const BasicParticles<axes>& ps) const {
+  Parts all{connected_parts<axes>(ps.position, link_), {}, 0};
   all.parts.resize(static_cast<std::size_t>(all.connected.count));
   for (std::size_t p = 0; p < ps.size(); ++p) {
     Part& part = all.parts[all.of(p)];
-    const Vec2& x = ps.position[p];
-    part.left = part.mass == 0 ? x.x() : std::min(part.left, x.x());
-    part.right = part.mass == 0 ? x.x() : std::max(part.right, x.x());
+    const Vec<axes>& x = ps.position[p];
+    part.low = part.mass == 0 ? x : Vec<axes>(part.low.cwiseMin(x));
+    part.high = part.mass == 0 ? x : Vec<axes>(part.high.cwiseMax(x));
     part.moment += ps.mass[p] * x.y();
     part.mass += ps.mass[p];
     part.momentum += ps.mass[p] * ps.velocity[p].y();
-    if (axisymmetric_ || (half_ && x.x() < 0.5 * link_)) part.whole_of_modelled = all_;
+    if (half_ && x.x() < 0.5 * link_) part.at_mirror[0] = true;
+    if constexpr (axes == 3)
+      if (half_ && x.z() < 0.5 * link_) part.at_mirror[1] = true;
   }
   all.body =
       static_cast<std::size_t>(std::ranges::max_element(all.parts, {}, &Part::mass) - all.parts.begin());
   return all;
 }
 
-void Ejection::find_ejecta(const State& s, Parts& all) {
-  const Particles& ps = s.particles;
+template <int axes>
+void BasicEjection<axes>::find_ejecta(const BasicState<axes>& s, Parts& all) {
+  const BasicParticles<axes>& ps = s.particles;
   for (std::size_t p = 0; p < ps.size(); ++p) {
     double& since = apart_since_[p];
     if (all.of(p) == all.body)
@@ -136,9 +168,9 @@ void Ejection::find_ejecta(const State& s, Parts& all) {
   for (std::size_t k = 0; k < all.parts.size(); ++k) {
     const Part& part = all.parts[k];
     const double speed = part.momentum / part.mass;
-    if (k == all.body || part.whole(part.mass_apart) < least_share * wall_mass_ || speed <= speed_) continue;
+    if (k == all.body || whole(part, part.mass_apart) < least_share * wall_mass_ || speed <= speed_) continue;
     if (part.moment / part.mass <=
-        highest_between(ps, all.connected, static_cast<int>(all.body), part.left, part.right))
+        highest_over<axes>(ps, all.connected, static_cast<int>(all.body), part.low, part.high))
       continue;  // inside: debris in a cavity
     ejected_mass_ += all_ * part.mass;
     ejected_momentum_ += all_ * part.momentum;
@@ -147,16 +179,18 @@ void Ejection::find_ejecta(const State& s, Parts& all) {
   if (ejected_mass_ > 0) decide(Verdict::ejected, s.time, fastest / speed_ - 1);
 }
 
-void Ejection::find_arrest(const State& s, const Parts& all) {
+template <int axes>
+void BasicEjection<axes>::find_arrest(const BasicState<axes>& s, const Parts& all) {
   if (s.time < arrival_) return;
-  const Particles& ps = s.particles;
+  const BasicParticles<axes>& ps = s.particles;
   std::vector<std::pair<double, double>> risers;  // speed, mass
   for (std::size_t p = 0; p < ps.size(); ++p) {
     const Part& part = all.parts[all.of(p)];
     const bool body = all.of(p) == all.body;
-    if (!body && part.whole(part.mass) < least_share * wall_mass_) continue;
+    if (!body && whole(part, part.mass) < least_share * wall_mass_) continue;
     const double speed = body ? ps.velocity[p].y() : part.momentum / part.mass;
-    if (std::abs(ps.position[p].x()) < radius_ && speed > 0) risers.emplace_back(speed, all_ * ps.mass[p]);
+    if (distance_from_axis<axes>(ps.position[p]) < radius_ && speed > 0)
+      risers.emplace_back(speed, all_ * ps.mass[p]);
   }
   std::ranges::sort(risers, std::greater<>());
   double mass = 0, speed = 0;
@@ -173,19 +207,21 @@ void Ejection::find_arrest(const State& s, const Parts& all) {
 }
 
 /// The first verdict stands, but for material that comes off after an arrest.
-void Ejection::decide(Verdict verdict, double time, double margin) {
+template <int axes>
+void BasicEjection<axes>::decide(Verdict verdict, double time, double margin) {
   if (verdict_ == verdict) return;
   verdict_ = verdict;
   decision_time_ = time;
   margin_ = margin;
 }
 
-void Ejection::finish(const State&, RunResult& result) const {
+template <int axes>
+void BasicEjection<axes>::finish(const BasicState<axes>&, RunResult& result) const {
   result.outcome = verdict_ == Verdict::ejected    ? "ejected"
                    : verdict_ == Verdict::arrested ? "arrested"
                                                    : "undecided";
   auto& m = result.metrics;
-  if (axisymmetric_)
+  if (is_sphere_)
     m.push_back(metric(row_of(rows, "ejected_mass_kg"), ejected_mass_));
   else
     m.push_back(metric(row_of(rows, "ejected_mass_kg_m"), ejected_mass_));
@@ -196,10 +232,14 @@ void Ejection::finish(const State&, RunResult& result) const {
   m.push_back(metric(row_of(rows, "decision_margin"), margin_));
 }
 
-void Ejection::carry(Archive& a) {
+template <int axes>
+void BasicEjection<axes>::carry(Archive& a) {
   a.numbers("apart_since", apart_since_), a.number("slow_since", slow_since_);
   a.integer("verdict", verdict_), a.number("decision_time", decision_time_), a.number("margin", margin_);
   a.number("ejected_mass", ejected_mass_), a.number("ejected_momentum", ejected_momentum_);
 }
+
+template class BasicEjection<2>;
+template class BasicEjection<3>;
 
 }  // namespace mpm

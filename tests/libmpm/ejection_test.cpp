@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "libmpm/measure/connected.hpp"
 #include "libmpm/measure/ejection.hpp"
@@ -11,7 +12,8 @@
 namespace {
 
 /// Parts by all pairs, numbered in the order of the points.
-std::vector<int> parts_by_pairs(const std::vector<mpm::Vec2>& x, double link) {
+template <int axes>
+std::vector<int> parts_by_pairs(const std::vector<mpm::Vec<axes>>& x, double link) {
   std::vector<int> part(x.size(), -1);
   int count = 0;
   for (std::size_t p = 0; p < x.size(); ++p) {
@@ -41,11 +43,16 @@ TEST(ConnectedParts, AreThoseOfAllPairs) {
   for (const double link : {0.01, 0.03, 0.05, 0.08}) {
     std::vector<mpm::Vec2> x;
     for (int k = 0; k < 600; ++k) x.emplace_back(random() - 0.5, random() + 7);
-    const mpm::ConnectedParts found = mpm::connected_parts(x, link);
-    EXPECT_EQ(found.part, parts_by_pairs(x, link)) << link;
+    const mpm::ConnectedParts found = mpm::connected_parts<2>(x, link);
+    EXPECT_EQ(found.part, parts_by_pairs<2>(x, link)) << link;
     EXPECT_EQ(found.count, 1 + *std::max_element(found.part.begin(), found.part.end()));
   }
-  EXPECT_EQ(mpm::connected_parts({}, 1).count, 0);
+  for (const double link : {0.05, 0.1, 0.15}) {
+    std::vector<mpm::Vec3> x;
+    for (int k = 0; k < 600; ++k) x.emplace_back(random() - 0.5, random() + 7, 2 * random());
+    EXPECT_EQ(mpm::connected_parts<3>(x, link).part, parts_by_pairs<3>(x, link)) << link;
+  }
+  EXPECT_EQ(mpm::connected_parts<2>({}, 1).count, 0);
 }
 
 // The threshold of ejection: a planar free surface rises at u against the wall, to 3 %.
@@ -143,6 +150,36 @@ TEST(Ejection, RunsThatStopWhenDecidedSayWhatWholeRunsSay) {
     EXPECT_EQ(early.outcome, whole.outcome) << speed;
     EXPECT_EQ(scenes::metric(early, "decision_time_s"), scenes::metric(whole, "decision_time_s"));
   }
+}
+
+// A spherical cavity says the same in axial symmetry and in three dimensions, of a quarter and of the whole.
+TEST(Ejection, OfASphereIsTheSameInThreeDimensions) {
+  const auto run = [](double speed, mpm::Space space, mpm::Symmetry symmetry, double cell) {
+    mpm::Scene s = thin_wall(speed);
+    s.space = space;
+    s.numerics = mpm::default_numerics(s.kind, space);
+    s.numerics.cell_size = cell;
+    s.numerics.symmetry = symmetry;
+    s.block_width = 5e-6;
+    s.block_height = 5e-6;
+    s.cavity_center_height = 2.5e-6;
+    return mpm::run(s);
+  };
+  using enum mpm::Space;
+  using enum mpm::Symmetry;
+  const mpm::RunResult slow = run(200, three_d, half, 0.36e-6), flat = run(1000, axisymmetric, half, 0.25e-6),
+                       fast = run(1000, three_d, half, 0.25e-6);
+  ASSERT_EQ(slow.status, mpm::RunStatus::done) << slow.reason;
+  ASSERT_EQ(fast.status, mpm::RunStatus::done) << fast.reason;
+  EXPECT_EQ(slow.outcome, "arrested");
+  EXPECT_EQ(flat.outcome, "ejected");
+  EXPECT_EQ(fast.outcome, "ejected");
+  EXPECT_NEAR(scenes::metric(fast, "decision_time_s") / scenes::metric(flat, "decision_time_s"), 1, 0.1);
+  const double wall = std::numbers::pi * 1.5e-6 * 1.5e-6 * 1e-6 * 2700;
+  EXPECT_GT(scenes::metric(fast, "ejected_mass_kg"), 0.01 * wall);
+  const mpm::RunResult quarter = run(1000, three_d, half, 0.36e-6), whole = run(1000, three_d, full, 0.36e-6);
+  for (const char* name : {"ejected_mass_kg", "ejecta_speed_m_s", "decision_time_s"})
+    EXPECT_NEAR(scenes::metric(whole, name) / scenes::metric(quarter, name), 1, 1e-6) << name;
 }
 
 TEST(Jet, StrikesTheFarWallUnderAStrongShockOnly) {

@@ -56,8 +56,6 @@ void check(const Scene& s, Report& report) {
   report.require(y + r <= s.block_height + slack, "cavity_center_height",
                  "at most block_height - cavity_radius (" + text_of(s.block_height - r) +
                      " m): the cavity leaves the block above");
-  if (s.space == Space::three_d && s.measures.decides == Decides::ejection)
-    report.add_choice("decides", "\"collapse\" when space is \"three-d\"");
 }
 
 template <int axes>
@@ -83,8 +81,7 @@ template <int axes>
 BasicMeasurements<axes> measurements(const Scene& s, const BasicState<axes>& state, bool open_below) {
   BasicMeasurements<axes> all;
   all.push_back(std::make_unique<BasicCavity<axes>>(s, state, open_below));
-  if constexpr (axes == 2)
-    if (s.measures.decides == Decides::ejection) all.push_back(std::make_unique<Ejection>(s, state));
+  if (s.measures.decides == Decides::ejection) all.push_back(std::make_unique<BasicEjection<axes>>(s, state));
   return all;
 }
 
