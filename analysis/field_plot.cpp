@@ -147,10 +147,10 @@ std::string panel_script(const FieldPlot& plot, const Layout& l, const Window& w
   text += fmt::format("set title {} offset 0,-0.6 font ',{:.1f}'\n", gnuplot_text(plot.panels[i].title),
                       l.title_font);
   text += lowest ? fmt::format("set format x '%g'\nset xlabel {} offset 0,0.3\n",
-                               gnuplot_text(fmt::format("x ({})", length.text)))
+                               gnuplot_text(fmt::format("{} ({})", plot.across, length.text)))
                  : "set format x ''\nunset xlabel\n";
   text += column == 0 ? fmt::format("set format y '%g'\nset ylabel {} offset -0.5,0\n",
-                                    gnuplot_text(fmt::format("y ({})", length.text)))
+                                    gnuplot_text(fmt::format("{} ({})", plot.up, length.text)))
                       : "set format y ''\nunset ylabel\n";
   const double dx = w.width() / raster.columns, dy = w.height() / raster.rows;
   text += fmt::format(

@@ -24,8 +24,9 @@ struct FieldPanel {
 struct FieldPlot {
   std::string title;
   std::string footer;
-  QuantityLabel value;    ///< of ParticleSquares::value
-  bool mirrored = false;  ///< x >= 0 was modelled: show the other half too
+  QuantityLabel value;                 ///< of ParticleSquares::value
+  std::string across = "x", up = "y";  ///< the axes of space along those of the panels
+  bool mirrored = false;               ///< x >= 0 was modelled: show the other half too
   Palette palette = Palette::viridis;
   std::vector<FieldPanel> panels;
   std::optional<Window> window;  ///< what every panel shows; else window_of() them all

@@ -1,7 +1,12 @@
 #include "runner/finish/fields.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "libmpm/io/fields.hpp"
 #include "libmpm/scene/build.hpp"
@@ -15,21 +20,71 @@ double edge_of(const mpm::Snapshot& s, std::size_t p) {
   return s.has_depth() ? std::cbrt(volume) : std::sqrt(volume);
 }
 
+/// The columns across and up of a picture that looks along an axis.
+struct Seen {
+  const std::vector<double>&across, &up, &along;
+};
+Seen seen_along(const mpm::Snapshot& s, int axis) {
+  if (axis == 0) return {s.z, s.y, s.x};
+  if (axis == 1) return {s.x, s.z, s.y};
+  return {s.x, s.y, s.z};
+}
+
+/// What lies along an axis, one value for each column of particles.
+class Projection {
+ public:
+  Projection(const mpm::Snapshot& s, const FieldView& view)
+      : s_(s), seen_(seen_along(s, view.axis)), of_(view.of) {
+    for (std::size_t p = 0; p < s.x.size(); ++p) side_ += volume(p);
+    side_ = std::cbrt(side_ / static_cast<double>(std::max<std::size_t>(1, s.x.size())));
+  }
+
+  analysis::ParticleSquares of(const std::vector<double>& values) const {
+    struct Column {
+      double largest = -std::numeric_limits<double>::infinity(), sum = 0, volume = 0;
+    };
+    std::map<std::pair<std::int64_t, std::int64_t>, Column> columns;
+    for (std::size_t p = 0; p < values.size(); ++p) {
+      Column& column = columns[{cell(seen_.across[p]), cell(seen_.up[p])}];
+      column.largest = std::max(column.largest, values[p]);
+      column.sum += values[p] * volume(p), column.volume += volume(p);
+    }
+    analysis::ParticleSquares squares;
+    for (const auto& [at, column] : columns) {
+      squares.x.push_back((static_cast<double>(at.first) + 0.5) * side_);
+      squares.y.push_back((static_cast<double>(at.second) + 0.5) * side_);
+      squares.size.push_back(side_);
+      squares.value.push_back(of_ == FieldView::Of::largest ? column.largest : column.sum / column.volume);
+    }
+    return squares;
+  }
+
+ private:
+  double volume(std::size_t p) const { return s_.mass[p] / s_.density[p]; }
+  std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / side_)); }
+
+  const mpm::Snapshot& s_;
+  Seen seen_;
+  FieldView::Of of_;
+  double side_ = 0;  ///< of a particle, in the mean [m]
+};
+
 }  // namespace
 
-/// Of three axes the particles that are nearest to z = 0: less than their own edge away.
 analysis::ParticleSquares particles_of(const mpm::Snapshot& s, const std::string& field,
-                                       const std::vector<int>& materials) {
+                                       const std::vector<int>& materials, const FieldView& view) {
   const mpm::Field* row = mpm::find_field(field);
   if (!row) throw std::runtime_error("a snapshot has no field " + field);
   const std::vector<double>& values = s.*row->values;
   if (values.size() != s.x.size()) throw std::runtime_error("a snapshot of two axes has no field " + field);
+  if (s.has_depth() && view.of != FieldView::Of::slice) return Projection(s, view).of(values);
+  const Seen seen = seen_along(s, s.has_depth() ? view.axis : 2);
   const bool several = materials.size() == s.x.size();
   analysis::ParticleSquares particles;
   for (std::size_t p = 0; p < s.x.size(); ++p) {
     const double edge = edge_of(s, p);
-    if (s.has_depth() && !(std::abs(s.z[p]) < edge)) continue;
-    particles.x.push_back(s.x[p]), particles.y.push_back(s.y[p]);
+    if (s.has_depth() && !(std::abs(seen.along[p] - view.at) < edge)) continue;
+    particles.x.push_back(seen.across[p]), particles.y.push_back(seen.up[p]);
     particles.size.push_back(edge), particles.value.push_back(values[p]);
     if (several) particles.material.push_back(materials[p]);
   }

@@ -4,14 +4,18 @@
 
 #include "analysis/raster.hpp"
 #include "libmpm/simulation.hpp"
+#include "runner/study/study.hpp"
 
 namespace mpmstudy {
 
 /// Particles of a snapshot, coloured by the field that a study calls by this name ("pressure",
 /// "plastic_work", ...). Throws std::runtime_error for a field that it does not have.
 /// `materials`: the number of each particle's material; empty, or of another length: there is one.
+/// Of three axes what `view` says: the particles of a slice (less than their own edge away from it), or one
+/// square for each column of particles, as wide as a particle, which has no material. Along x a place is
+/// drawn at (z, y), along y at (x, z), along z at (x, y).
 analysis::ParticleSquares particles_of(const mpm::Snapshot&, const std::string& field,
-                                       const std::vector<int>& materials = {});
+                                       const std::vector<int>& materials = {}, const FieldView& view = {});
 
 /// The number of the material of each particle of a scene, in the order of snapshots; empty: it has one
 /// material.

@@ -149,6 +149,14 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   return true;
 }
 
+/// Those that say something, one after the other.
+std::string with_commas(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts)
+    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
 /// One figure per group of jobs that differ in more than x and y: NAME, or NAME-1, NAME-2, ...
 std::vector<fs::path> draw_map(const Study& study, const StudyResults& results, const FigureRequest& request,
                                const fs::path& stem) {
@@ -156,7 +164,7 @@ std::vector<fs::path> draw_map(const Study& study, const StudyResults& results, 
   const auto groups = group_jobs(study, results, map_of(study, request.x, request.y));
   for (std::size_t g = 0; g < groups.size(); ++g) {
     analysis::MapPlot map;
-    map.title = groups[g].label.empty() ? request.title : request.title + ", " + groups[g].label;
+    map.title = with_commas({request.title, groups[g].label});
     map.footer = footer_of(study, results);
     map.x = label_of_parameter(study, request.x);
     map.y = label_of_parameter(study, request.y);
@@ -177,18 +185,25 @@ std::vector<fs::path> draw_map(const Study& study, const StudyResults& results, 
 
 /// One panel per snapshot; times have digits until they differ.
 std::vector<analysis::FieldPanel> panels_of(const std::vector<fs::path>& files, const std::string& field,
-                                            const mpm::Scene& scene) {
+                                            const mpm::Scene& scene, const FieldView& view) {
   const std::vector<int> materials = files.empty() ? std::vector<int>() : materials_of(scene);
   std::vector<analysis::FieldPanel> panels;
   std::vector<double> times;
   for (const fs::path& file : files) {
     const mpm::Snapshot s = mpm::read_vtkhdf(file);
-    panels.push_back({"", particles_of(s, field, materials)});
+    panels.push_back({"", particles_of(s, field, materials, view)});
     times.push_back(s.time);
   }
   const auto titles = analysis::value_labels(label_of("time"), times);
   for (std::size_t i = 0; i < panels.size(); ++i) panels[i].title = titles[i];
   return panels;
+}
+
+/// For titles: "z = 1 um", "largest along z".
+std::string text_of(const FieldView& view) {
+  const std::string axis(1, "xyz"[view.axis]);
+  if (view.of == FieldView::Of::slice) return analysis::value_label({"", axis, "m"}, view.at);
+  return (view.of == FieldView::Of::largest ? "largest along " : "mean along ") + axis;
 }
 
 /// One figure per job: NAME, or NAME-1, NAME-2, ... in the order of the sweep.
@@ -199,11 +214,14 @@ std::vector<fs::path> draw_fields(const Study& study, const StudyResults& result
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const JobResults& job = *groups[g].jobs.front();
     analysis::FieldPlot plot;
-    plot.title = groups[g].label.empty() ? request.title : request.title + ", " + groups[g].label;
+    const std::string view = request.view == FieldView{} ? "" : text_of(request.view);
+    plot.title = with_commas({request.title, groups[g].label, view});
+    if (request.view.axis == 0) plot.across = "z";
+    if (request.view.axis == 1) plot.up = "z";
     plot.footer = footer_of(study, results);
     plot.value = label_of(request.y);
     plot.mirrored = mpm::kind_of(job.scene).is_half(job.scene);
-    plot.panels = panels_of(snapshots_of(results, job), request.y, job.scene);
+    plot.panels = panels_of(snapshots_of(results, job), request.y, job.scene, request.view);
     if (plot.panels.empty()) continue;
     const std::string suffix = groups.size() == 1 ? "" : fmt::format("-{}", g + 1);
     stems.push_back(stem.string() + suffix);

@@ -290,7 +290,7 @@ class Reader {
     context.own = study_.own;
     context.gauge_results = metrics_of(study_.gauges);
     study_.fits = read_fits(document_, context, mistakes_);
-    study_.figures = read_figures(document_, context, mistakes_);
+    study_.figures = read_figures(document_, context, units_, mistakes_);
     study_.expectation = read_expectation(document_, units_, mistakes_);
   }
 

@@ -12,6 +12,7 @@
 #include "libmpm/scene/kinds/kind.hpp"
 #include "runner/study/characters.hpp"
 #include "runner/study/each_table.hpp"
+#include "runner/study/field_view.hpp"
 #include "runner/study/quantity_text.hpp"
 #include "runner/study/read_word.hpp"
 #include "runner/study/schema.hpp"
@@ -338,7 +339,7 @@ std::vector<FitRequest> read_fits(const Table& document, const RequestContext& c
 }
 
 std::vector<FigureRequest> read_figures(const Table& document, const RequestContext& context,
-                                        Mistakes& mistakes) {
+                                        const Units& units, Mistakes& mistakes) {
   std::vector<FigureRequest> figures;
   for_each_table(document, "figure", mistakes, [&](const Entry& entry, const Table& table) {
     FigureRequest figure;
@@ -357,6 +358,7 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
       check_figure_kind(*row, kind, context, mistakes);
       read_axes(entry, table, *row, context, figure, mistakes);
       check_cells(*row, kind, context, mistakes);
+      figure.view = read_field_view(table, *row, context, units, mistakes);
     }
     figures.push_back(figure);
   });

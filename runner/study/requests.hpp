@@ -30,7 +30,8 @@ struct RequestContext {
 };
 
 std::vector<FitRequest> read_fits(const Table& document, const RequestContext&, Mistakes&);
-std::vector<FigureRequest> read_figures(const Table& document, const RequestContext&, Mistakes&);
+std::vector<FigureRequest> read_figures(const Table& document, const RequestContext&, const Units&,
+                                        Mistakes&);
 
 /// Empty if there is no [search], or after adding mistakes.
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,

@@ -29,7 +29,7 @@ const std::vector<Keys>& other_keys() {
       {"fit", {"x", "y", "model"}},
       {"gauge", {"name", "of", "point", "place", "beam", "direction", "body", "wall", "contact", "reduce"}},
       {"stop", {"when", "after"}},
-      {"figure", {"name", "title", "kind", "x", "y", "colour", "log"}},
+      {"figure", {"name", "title", "kind", "x", "y", "colour", "log", "slice", "projection"}},
   };
   return keys;
 }

@@ -27,6 +27,15 @@ struct FitRequest {
 };
 
 /// A figure that the study asks for ([[figure]]).
+/// What a figure of fields shows of three axes; of two axes it is the whole.
+struct FieldView {
+  enum class Of { slice, largest, mean };
+  Of of = Of::slice;  ///< the particles at a place; the largest value along an axis; the mean by volume
+  int axis = 2;       ///< the one that is looked along: 0 is x, 2 is z
+  double at = 0;      ///< of a slice: where on that axis [m]
+  bool operator==(const FieldView&) const = default;
+};
+
 struct FigureRequest {
   std::string name;  ///< file stem, e.g. "area-of-radius"
   std::string title;
@@ -35,6 +44,7 @@ struct FigureRequest {
   std::string y;       ///< a result column, or a field: "pressure", "plastic_work", ...; of a map a quantity
   std::string colour;  ///< of a map: a result
   bool log_x = false, log_y = false;  ///< by the logarithm
+  FieldView view;                     ///< of fields
 };
 
 /// A critical value that the study looks for ([search]): the smallest `critical` that has `outcome`.

@@ -272,7 +272,7 @@ TEST(BadInput, GoodFilesBesideBadOnes) {
   std::ofstream(folder.path() / "good.toml") << good_study;
   const Outcome outcome = run(folder, "check good.toml absent.toml good.toml");
   EXPECT_EQ(outcome.exit_code, 2);
-  const std::string line = "ok: good, 1 job, about 21.5 MB of memory each and 0.0023 CPU-hours\n";
+  const std::string line = "ok: good, 1 job, about 21.5 MB of memory each and 0.00057 CPU-hours\n";
   EXPECT_EQ(outcome.out, line + line);
   EXPECT_THAT(outcome.err, StartsWith("absent.toml: "));
 }

@@ -37,4 +37,29 @@ TEST(FieldFigures, ShowTheSectionOfThreeAxes) {
   EXPECT_THAT(drawn.value, ElementsAre(11, 12));
 }
 
+TEST(FieldFigures, ShowASliceAnywhere) {
+  const auto at_z = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 2, .at = 4});
+  EXPECT_THAT(at_z.value, ElementsAre(10));
+  const auto at_x = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 0, .at = 4});
+  EXPECT_THAT(at_x.x, ElementsAre(-1.5));  // z, y
+  EXPECT_THAT(at_x.y, ElementsAre(6));
+  const auto at_y = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 1, .at = 3});
+  EXPECT_THAT(at_y.x, ElementsAre(1));  // x, z
+  EXPECT_THAT(at_y.y, ElementsAre(3));
+}
+
+TEST(FieldFigures, ShowWhatIsSeenAlongAnAxis) {
+  using mpmstudy::FieldView;
+  mpm::Snapshot s = particles(true);
+  s.x = {1, 1.5, 3}, s.y = {4.5, 5.5, 5};  // two of them in one column along z
+  s.mass = {16, 48, 16}, s.density = {2, 6, 2};
+  const auto largest = mpmstudy::particles_of(s, "velocity_z", {}, {.of = FieldView::Of::largest, .axis = 2});
+  EXPECT_THAT(largest.x, ElementsAre(1, 3));
+  EXPECT_THAT(largest.y, ElementsAre(5, 5));
+  EXPECT_THAT(largest.size, ElementsAre(2, 2));
+  EXPECT_THAT(largest.value, ElementsAre(11, 12));
+  const auto mean = mpmstudy::particles_of(s, "velocity_z", {}, {.of = FieldView::Of::mean, .axis = 2});
+  EXPECT_THAT(mean.value, ElementsAre(10.5, 12));  // by volume
+}
+
 }  // namespace
