@@ -18,7 +18,7 @@
 namespace mpmstudy {
 
 /// What one core is taken to do until the catalog has seen jobs of this host [particle updates/s]: studies of
-/// ten thousand particles make 15 to 30 million (smoke, weak-collapse; bench kernel has larger scenes).
+/// ten thousand particles make 15 to 30 million (view `jobs`, particle_updates_per_s).
 inline constexpr double assumed_updates_per_second = 2e7;
 
 /// A job that is done.

@@ -235,8 +235,6 @@ TEST(ThreeDScene, SaysWhatItDoesNotHave) {
     EXPECT_THAT(problem([&](mpm::Scene& s) { s.numerics.scheme = scheme; }), testing::StartsWith("kernel: "));
   EXPECT_THAT(problem([](mpm::Scene& s) { s.numerics.scheme = mpm::ShapeFunction::cpdi; }),
               testing::StartsWith("scheme: "));
-  EXPECT_THAT(problem([](mpm::Scene& s) { s.measures.decides = mpm::Decides::ejection; }),
-              testing::StartsWith("decides: "));
   EXPECT_THAT(problem([](mpm::Scene& s) { s.numerics.cell_size = 1e-9; }),
               testing::HasSubstr("1e9 particles"));
   EXPECT_THROW(mpm::Simulation{good}, mpm::InputError);

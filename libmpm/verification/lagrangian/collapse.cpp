@@ -50,8 +50,8 @@ double Collapse::area_at(double t) const {
 }
 
 Collapse collapse(const mpm::Scene& scene, int cells, int times, const Lagrangian2d::Options& options) {
-  if (scene.kind != SceneKind::cavity_impact || scene.space != Space::plane_strain)
-    throw std::invalid_argument("lagrangian::collapse: takes cavity-impact in plane strain alone");
+  if (scene.space != Space::plane_strain)
+    throw std::invalid_argument("lagrangian::collapse: takes plane strain alone");
   QuadMesh mesh = cavity_mesh(
       {scene.block_width / 2, scene.block_height, scene.cavity_radius, scene.cavity_center_height}, cells,
       times);
