@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "libmpm/core/grid.hpp"
 
 namespace mpm {
@@ -14,10 +16,17 @@ namespace mpm {
 ///   - dv . (v - dt a / 2)   per mass, v and a those after the contact,
 /// is left as heat at the nodes (contact_heat), so that the sum of kinetic and internal energy is kept.
 /// A body that comes back is felt from a distance of about a cell on, since that is how far shape functions
-/// reach. Source: two bodies in one grid, Bardenhagen, Brackbill, Sulsky 2000, Comput. Methods Appl. Mech.
+/// reach; unless `gaps` are tracked (WallGap::tracked). Then each column has the gap g that has opened since
+/// it was last in contact,
+///   g <- g + dt v,   v = - (that push) / (m_0 + sum 4 m_j m_-j / (m_j + m_-j)),
+/// v the velocity of parting, the mean of v_0 and (v_j + v_-j)/2 that the push stops; it is in contact, and g
+/// is 0 again, once g falls to 0. Columns begin with g = 0, and keep theirs while they have no mass.
+/// Source: two bodies in one grid, Bardenhagen, Brackbill, Sulsky 2000, Comput. Methods Appl. Mech.
 /// Engng 187, 529, with the second body the image of the first. Call after update_grid. Checked by
 /// tests/libmpm/step_test.cpp and tests/verification/.
-void apply_impact_wall(Grid&, double dt);
-void apply_impact_wall(BasicGrid<3>&, double dt);
+/// `gaps`: null, or those of the columns, ghosts too, along x and, of three axes, of slice after slice [m];
+/// an empty one is filled with zeros.
+void apply_impact_wall(Grid&, double dt, std::vector<double>* gaps = nullptr);
+void apply_impact_wall(BasicGrid<3>&, double dt, std::vector<double>* gaps = nullptr);
 
 }  // namespace mpm

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <tuple>
+#include <vector>
 
 namespace mpm::walls {
 
@@ -115,10 +116,24 @@ void move_to(Nodes nodes, int i, int j, const Velocity& velocity, Real step) {
   nodes.leave_heat(i, j, -gain);
 }
 
+/// The gaps between the impact wall and the body above each column, where they are tracked (impact_wall.hpp).
+struct ColumnGaps {
+  double* of_first = nullptr;  ///< of the first column [m]; null: they are not
+  double dt = 0;               ///< the time step [s]
+};
+
+/// Those of slice number `slice` of `slices`, each of so many columns. Of an empty vector makes zeros.
+inline ColumnGaps gaps_of_slice(std::vector<double>* all, int columns, int slices, int slice, double dt) {
+  if (!all) return {};
+  const auto count = static_cast<std::size_t>(columns);
+  if (all->empty()) all->assign(count * static_cast<std::size_t>(slices), 0);
+  return {all->data() + count * static_cast<std::size_t>(slice), dt};
+}
+
 /// The impact wall along row 0, for the columns [first, last] and `layers` of rows on either side. `step`:
 /// the time over which v changes by a; 1 where a is the change itself.
 template <class Real, class Nodes>
-void push_off_wall(Nodes nodes, int first, int last, int layers, Real step) {
+void push_off_wall(Nodes nodes, int first, int last, int layers, Real step, ColumnGaps gaps = {}) {
   constexpr std::size_t normal = 1;
   for (int i = first; i <= last; ++i) {
     const auto wall = nodes.at(i, 0);
@@ -130,11 +145,18 @@ void push_off_wall(Nodes nodes, int first, int last, int layers, Real step) {
       const Real image = axis == normal ? -*below.v[axis] : *below.v[axis];
       return (above.mass * *above.v[axis] + below.mass * image) / (above.mass + below.mass);
     };
-    Real push = -(wall.mass * *wall.v[normal]);
+    Real push = -(wall.mass * *wall.v[normal]), mass = wall.mass;
     for (int k = 1; k <= layers; ++k) {
       const auto above = nodes.at(i, k), below = nodes.at(i, -k);
       const Real y = common(k, normal);
       push = above.mass * (y - *above.v[normal]) + push + below.mass * (-y - *below.v[normal]);
+      if (below.mass > 0) mass += 4 * (above.mass * below.mass / (above.mass + below.mass));
+    }
+    if (gaps.of_first) {
+      double& gap = gaps.of_first[i - first];
+      gap -= gaps.dt * static_cast<double>(push / mass);
+      if (gap > 0) continue;
+      gap = 0;
     }
     if (!(push > 0)) continue;
     std::array<Real, std::tuple_size_v<decltype(wall.v)>> velocity;

@@ -40,6 +40,7 @@ BasicLattice<axes> lattice_of(const Scene& s) {
 template <int axes>
 BasicState<axes> build_state(const Scene& s) {
   BasicState<axes> state = kind_of(s).in<axes>().state ? kind_of(s).in<axes>().state(s) : one_body<axes>(s);
+  state.tracks_wall_gap = s.numerics.wall_gap == WallGap::tracked;
   for (std::size_t m = 0; m < material_count(s); ++m) state.particles.keep(state_columns(material_of(s, m)));
   return state;
 }

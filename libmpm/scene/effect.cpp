@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libmpm/material/rows.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 
 namespace mpm {
 namespace {
@@ -18,6 +19,8 @@ constexpr Condition of_scene[] = {
     {"detached_for", "decides = \"ejection\"", decides_ejection,
      [](const Scene& s) { return default_detached_for(s); }},
     {"stop", "decides = \"ejection\"", decides_ejection, zero},
+    {"wall_gap", "an impact wall", [](const Scene& s) { return kind_of(s).floor(s) == Floor::impact_wall; },
+     zero},
 };
 
 /// Of row number i of `rows`, if it has one.

@@ -61,6 +61,7 @@ constexpr auto space_words = words<Space>({{Space::plane_strain, "plane-strain"}
                                            {Space::axisymmetric, "axisymmetric"},
                                            {Space::three_d, "three-d"}});
 constexpr auto kernel_words = words<Kernel>({{Kernel::fast, "fast"}, {Kernel::reference, "reference"}});
+constexpr auto wall_gap_words = words<WallGap>({{WallGap::unseen, "unseen"}, {WallGap::tracked, "tracked"}});
 constexpr auto precision_words =
     words<Precision>({{Precision::double_precision, "double"}, {Precision::single_precision, "float"}});
 
@@ -85,6 +86,11 @@ constexpr Choice common_choices[] = {
      N, kernel_words, CHOICE(numerics.kernel)},
     {"precision", "precision", "numbers of the fast step; the reference step has double only", N,
      precision_words, CHOICE(numerics.precision)},
+    {"wall_gap", "wall_gap",
+     "when the impact wall pushes a body that comes back: from a cell away, or once the gap that has opened "
+     "is "
+     "closed",
+     N, wall_gap_words, CHOICE(numerics.wall_gap), "unseen"},
 };
 #undef CHOICE
 

@@ -56,6 +56,12 @@ enum class Precision {
   single_precision,  ///< half the memory, about twice the speed; areas to about four digits
 };
 
+/// When an impact wall pushes a body that has left it and comes back.
+enum class WallGap {
+  unseen,   ///< from a distance of about a cell on
+  tracked,  ///< once the gap that has opened since is closed: boundary/impact_wall.hpp
+};
+
 /// How a scene is computed. Make one with default_numerics(), which knows what suits a kind of scene.
 struct Numerics {
   double cell_size = 0;        ///< h [m]
@@ -65,6 +71,7 @@ struct Numerics {
   Symmetry symmetry = Symmetry::half;
   Kernel kernel = Kernel::fast;
   Precision precision = Precision::double_precision;
+  WallGap wall_gap = WallGap::unseen;
   double pic_fraction = 0;         ///< share of PIC in the FLIP transfer, a step [1]; see step/flip_pic.hpp
   double cfl = 0;                  ///< share of h / (signal speed) that a step takes [1]
   double linear_viscosity = 0;     ///< q1 [1]; see material/artificial_viscosity.hpp

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libmpm/contact/contacts.hpp"
 #include "libmpm/measure/gauges.hpp"
 #include "libmpm/scene/build.hpp"
 #include "libmpm/scene/effect.hpp"
@@ -103,6 +104,8 @@ void check_numerics(const Scene& s, Report& report) {
     report.add_choice("kernel",
                       "\"reference\": the fast step has scheme = \"gimp\" and \"bspline2\", transfer = "
                       "\"flip\", pic_fraction = 0, and neither gravity nor contact");
+  if (n.wall_gap == WallGap::tracked && has_contact(s))
+    report.add_choice("wall_gap", "\"unseen\" where bodies are in contact");
   if (s.space == Space::axisymmetric) {
     if (!has_scheme) report.add_choice("scheme", "\"gimp\" or \"bspline2\" when space is \"axisymmetric\"");
     if (n.scheme == ShapeFunction::bspline2)

@@ -62,6 +62,8 @@ struct BasicState {
   Vec<axes> gravity = Vec<axes>::Zero();  ///< acceleration of all particles, for the plain step [m/s^2]
   double gravity_rise = 0;                ///< time over which it grows from nothing [s]
   bool has_rigid_bodies = false;          ///< which are no particles, and may do work on those
+  bool tracks_wall_gap = false;           ///< of an impact wall: see boundary/impact_wall.hpp
+  std::vector<double> wall_gaps{};  ///< of its columns, in the order of the stepper [m]; empty: none yet
 };
 using State = BasicState<2>;
 

@@ -76,7 +76,7 @@ BasicStepReport<Space::axes> reference_step(BasicState<Space::axes>& state, cons
   update_grid(grid, dt, fields);
   fields.push(state, dt, report);
   if (state.floor == Floor::impact_wall) {
-    apply_impact_wall(grid, dt);
+    apply_impact_wall(grid, dt, state.tracks_wall_gap ? &state.wall_gaps : nullptr);
     fields.push_off_wall(dt);
   }
   report.wall_impulse = wall_impulse(grid, dt, fields) - report.rigid_impulse;

@@ -32,7 +32,10 @@ class BasicStepper {
   virtual void refresh_nodes(State&, int /*first_row*/, int /*last_row*/) {}
   /// All that the next step depends on, apart from time and number of the step. The State is the one that the
   /// run began with.
-  virtual void carry(State& state, Archive& archive) { carry_particles(state.particles, archive); }
+  virtual void carry(State& state, Archive& archive) {
+    carry_particles(state.particles, archive);
+    carry_wall_gaps(state, archive);
+  }
   /// How many threads the next steps may use, with the one that calls; the results are the same bits. A
   /// stepper may use fewer.
   virtual void use_threads(int) {}
@@ -42,6 +45,11 @@ class BasicStepper {
   virtual StepTimes times() const { return {}; }
   /// Memory that the stepper keeps beside the State [bytes].
   virtual std::size_t memory() const { return 0; }
+
+ protected:
+  static void carry_wall_gaps(State& state, Archive& archive) {
+    if (state.tracks_wall_gap) archive.numbers("wall_gaps", state.wall_gaps);
+  }
 };
 using Stepper = BasicStepper<2>;
 

@@ -110,6 +110,13 @@ TEST_F(Checkpoint, of_a_cavity) {
   EXPECT_EQ(checked, 2) << "fast and reference";
 }
 
+TEST_F(Checkpoint, of_the_gaps_at_an_impact_wall) {
+  mpm::Scene s = collapse();
+  s.numerics.wall_gap = mpm::WallGap::tracked;
+  expect_same_bits(s);
+  EXPECT_EQ(checked, 2);
+}
+
 TEST_F(Checkpoint, of_a_run_that_a_gauge_ends) {
   mpm::Scene s = collapse();
   s.measures.gauges[1].stops = {{false, 3e-4, 0}};  // J/m, of 1.1e-3 that the block has

@@ -129,10 +129,17 @@ TEST(Effect, EverythingElseChangesSomething) {
       const Condition* condition = condition_of(row.name);
       if (!row.belongs_to(scene.kind) || (condition && !condition->holds(scene))) continue;
       Scene changed = scene;
+      std::string unchanged = before;
+      if (row.name == "wall_gap") {  // a block that leaves the wall and is held back by its cavity
+        changed.impact_speed = 200;
+        changed.block_height = 5e-6, changed.cavity_center_height = 1.9e-6, changed.cavity_radius = 1.5e-6;
+        changed.end_time = 4e-9;
+        unchanged = everything_of(changed);
+      }
       row.set(changed, 1 - std::min<std::size_t>(row.get(scene), 1));
       if (!fast_step_has(changed)) changed.numerics.kernel = Kernel::reference;
       if (!find_problems(changed).empty()) continue;  // not every strength goes with every equation of state
-      EXPECT_TRUE(everything_of(changed) != before) << scene.material.name << " " << row.name;
+      EXPECT_TRUE(everything_of(changed) != unchanged) << scene.material.name << " " << row.name;
     }
   }
 }

@@ -51,7 +51,7 @@ void each_member(mpm::Scene& s, const Visit& visit) {
         rate_hardening, reference_strain_rate, softening_exponent, melting_temperature, tait_pressure,
         tait_exponent, strain_factor, yield_limit, shear_per_pressure, shear_per_temperature,
         melting_gamma_fall)
-  VISIT(s.numerics, cell_size, particles_per_cell, scheme, transfer, symmetry, kernel, precision,
+  VISIT(s.numerics, cell_size, particles_per_cell, scheme, transfer, symmetry, kernel, precision, wall_gap,
         pic_fraction, cfl, linear_viscosity, quadratic_viscosity)
   VISIT(s.measures, area_every, detached_for, decides, stop, snapshots, gauges)
 }

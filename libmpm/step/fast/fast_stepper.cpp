@@ -162,7 +162,8 @@ void FastStepper<Real, axes>::sweep(Stock& stock, double dt, SweepReport& sums) 
 
 /// What the particles gave to the nodes becomes motion. Rows do not ask for each other.
 template <class Real, int axes>
-bool FastStepper<Real, axes>::move(Floor floor, const OpenSides& open, double dt) {
+bool FastStepper<Real, axes>::move(State& state, double dt) {
+  const Floor floor = state.floor;
   const Nodes<Real, axes>& nodes = grid_->nodes();
   const auto each_row = [&](auto&& work) {
     const int rows = last_row_ - first_row_ + 1, parts = (rows + rows_of_part<axes> - 1) / rows_of_part<axes>;
@@ -175,10 +176,11 @@ bool FastStepper<Real, axes>::move(Floor floor, const OpenSides& open, double dt
     stocks_[0].kernels.transfers.collect(nodes, first, last);
     grid_->reflect_sides(first, last);
   });
-  const bool at_open_face = grid_->at_open_face(open, floor, first_row_, last_row_);
+  const bool at_open_face = grid_->at_open_face(state.open, floor, first_row_, last_row_);
   if (floor == Floor::mirror && first_row_ == -1) grid_->reflect_floor();
   each_row([&](int first, int last) { stocks_[0].kernels.transfers.move(nodes, first, last, dt); });
-  if (floor == Floor::impact_wall && first_row_ == -1) grid_->push_off_wall();
+  if (floor == Floor::impact_wall && first_row_ == -1)
+    grid_->push_off_wall(state.tracks_wall_gap ? &state.wall_gaps : nullptr, dt);
   moved_first_ = first_row_, moved_last_ = last_row_;
   return at_open_face;
 }
@@ -191,7 +193,7 @@ BasicStepReport<axes> FastStepper<Real, axes>::step(State& state, double dt) {
     const auto then = std::exchange(now, Clock::now());
     on += std::chrono::duration<double>(now - then).count();
   };
-  const bool at_open_face = move(state.floor, state.open, dt);
+  const bool at_open_face = move(state, dt);
   spent(times_.grid);
   if (leaving_band_ || static_cast<double>(out_of_step_) > sort_cost * static_cast<double>(blocks())) {
     for (Stock& stock : stocks_) stock.blocks->sort(grid_->nodes().rows);
@@ -266,6 +268,7 @@ void FastStepper<Real, axes>::carry(State& state, Archive& a) {
   }
   Archive nodes = a.part("nodes");
   grid_->carry(nodes);
+  this->carry_wall_gaps(state, a);
   a.integer("first_row", first_row_), a.integer("last_row", last_row_);
   a.integer("moved_first", moved_first_), a.integer("moved_last", moved_last_);
   a.integer("out_of_step", out_of_step_), a.integer("leaving_band", leaving_band_);

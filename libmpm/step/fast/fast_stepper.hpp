@@ -60,7 +60,7 @@ class FastStepper : public BasicStepper<axes> {
   void sweep(Stock&, double dt, SweepReport& sums);
   std::size_t blocks() const;  ///< of all stocks
   /// Returns whether a body has reached an open face.
-  bool move(Floor, const OpenSides&, double dt);
+  bool move(State&, double dt);
   void use(std::int64_t lowest_node, std::int64_t highest_node);
 
   Space space_;

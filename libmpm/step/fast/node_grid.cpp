@@ -116,8 +116,12 @@ void NodeGrid<Real, axes>::reflect_floor() {
 }
 
 template <class Real, int axes>
-void NodeGrid<Real, axes>::push_off_wall() {
-  each_slice([&](Slice s) { walls::push_off_wall(s, -1, nodes_.columns + 1, 1, Real(1)); });
+void NodeGrid<Real, axes>::push_off_wall(std::vector<double>* gaps, double dt) {
+  const int slices = axes == 3 ? nodes_.slices + 3 : 1;
+  each_slice([&](Slice s) {
+    walls::push_off_wall(s, -1, nodes_.columns + 1, 1, Real(1),
+                         walls::gaps_of_slice(gaps, nodes_.columns + 3, slices, s.slice + 1, dt));
+  });
 }
 
 template <class Real, int axes>

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "libmpm/boundary/mirror.hpp"
 #include "libmpm/boundary/walls.hpp"
 #include "libmpm/core/grid.hpp"
@@ -30,8 +32,9 @@ class NodeGrid {
   /// The floor as a mirror, after them.
   void reflect_floor();
   /// The impact wall (boundary/impact_wall.hpp), afterwards. The heat of the contact is left in
-  /// `change_square`, where particles take it up together with that of the transfer.
-  void push_off_wall();
+  /// `change_square`, where particles take it up together with that of the transfer. `gaps`: null, or as of
+  /// apply_impact_wall(), of the columns and slices with one ghost on each side.
+  void push_off_wall(std::vector<double>* gaps, double dt);
 
   void copy_rows(Grid&, double unit, int first, int last, int first_used, int last_used) const;
   void carry(Archive&);
