@@ -10,6 +10,7 @@
 #include "libmpm/scene/parameters.hpp"
 #include "runner/cli/bench_accuracy.hpp"
 #include "runner/cli/bench_exact.hpp"
+#include "runner/cli/bench_lagrangian.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -33,6 +34,7 @@ void setup_bench(CLI::App& app) {
   verb.require_subcommand(1);
   setup_bench_accuracy(verb);
   setup_bench_exact(verb);
+  setup_bench_lagrangian(verb);
   CLI::App& kernel =
       *verb.add_subcommand("kernel", "Particle updates per second, fast step against reference");
   kernel

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "libmpm/scene/effect.hpp"
+
 namespace mpm::verification::lagrangian {
 namespace {
 
@@ -52,6 +54,8 @@ double Collapse::area_at(double t) const {
 Collapse collapse(const mpm::Scene& scene, int cells, int times, const Lagrangian2d::Options& options) {
   if (scene.space != Space::plane_strain)
     throw std::invalid_argument("lagrangian::collapse: takes plane strain alone");
+  if (!(scene.cavity_radius > 0) || !condition_of("wall_gap")->holds(scene))
+    throw std::invalid_argument("lagrangian::collapse: takes blocks with a cavity that fall onto a wall");
   QuadMesh mesh = cavity_mesh(
       {scene.block_width / 2, scene.block_height, scene.cavity_radius, scene.cavity_center_height}, cells,
       times);

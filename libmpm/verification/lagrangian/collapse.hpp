@@ -22,9 +22,9 @@ struct Collapse {
   double area_at(double time) const;
 };
 
-/// `cells` to the radius, times `times`: see cavity_mesh(). Takes scenes of the kind cavity-impact. Throws
-/// std::invalid_argument for another space, and where the cavity touches a side of the block: the code has
-/// plane strain, one cavity, and no contact of its faces, so that it stops where they meet.
+/// `cells` to the radius, times `times`: see cavity_mesh(). Takes a block with one cavity that falls onto a
+/// wall (cavity-impact). Throws std::invalid_argument for another scene or space, and where the cavity
+/// touches a side of the block: the code has no contact of faces, and stops where those of the cavity meet.
 Collapse collapse(const mpm::Scene&, int cells, int times = 1, const Lagrangian2d::Options& = {});
 
 /// A number that meshes of 1/n, 2/n, 4/n the size give, of the finest the last.

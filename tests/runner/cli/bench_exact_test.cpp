@@ -98,5 +98,20 @@ TEST_F(BenchExact, refuses_what_is_not_there) {
   EXPECT_EQ(run({"bench", "exact", "--json", "--csv"}), 2);
 }
 
+TEST_F(BenchExact, has_a_lagrangian_code_beside_it) {
+  const std::string file = std::string(SOURCE_DIR) + "/studies/paper/weak-collapse.toml";
+  ASSERT_EQ(run({"bench", "lagrangian", file, "--per-radius", "4"}), 0) << output;
+  EXPECT_THAT(output,
+              StartsWith("job,cells_per_radius,collapsibility,order,energy_error,stop_time_s,stopped\n"));
+  EXPECT_THAT(output, ContainsRegex(",16,0\\.7[0-9]+,,[0-9.]+e-1[0-9],,\n"));
+  EXPECT_THAT(output, ContainsRegex(",limit,0\\.7[0-9]+,1\\.[0-9]+,,,\n"));
+  ASSERT_EQ(
+      run({"bench", "lagrangian", file, "--per-radius", "4", "--history", "--set", "impact_speed=500 m/s"}),
+      0);
+  EXPECT_THAT(output, StartsWith("job,cells_per_radius,time_s,area_m2\n"));
+  ASSERT_EQ(run({"bench", "lagrangian", std::string(SOURCE_DIR) + "/studies/paper/planar-impact.toml"}), 2);
+  EXPECT_THAT(output, HasSubstr("takes blocks with a cavity"));
+}
+
 }  // namespace
 }  // namespace mpmstudy
