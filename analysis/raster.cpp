@@ -17,7 +17,7 @@ class Canvas {
     distance_.assign(pixels, std::numeric_limits<double>::infinity());
   }
 
-  void paint(double x, double y, double half, double value) {
+  void paint(double x, double y, double depth, double half, double value) {
     // Pixels whose centres lie in the square; a particle smaller than a pixel still takes the one it is in.
     const auto first = [half](double at, double origin, double step) {
       return std::min(std::ceil((at - half - origin) / step - 0.5), std::floor((at - origin) / step));
@@ -34,8 +34,9 @@ class Canvas {
         const double px = window_.x_min + (i + 0.5) * dx_ - x, py = window_.y_min + (j + 0.5) * dy_ - y;
         const auto at = static_cast<std::size_t>(j) * static_cast<std::size_t>(raster_.columns) +
                         static_cast<std::size_t>(i);
-        if (px * px + py * py >= distance_[at]) continue;
-        distance_[at] = px * px + py * py;
+        const double distance = px * px + py * py + depth * depth;
+        if (distance >= distance_[at]) continue;
+        distance_[at] = distance;
         raster_.values[at] = static_cast<float>(value);
       }
   }
@@ -73,10 +74,11 @@ Raster rasterise(const ParticleSquares& particles, bool mirrored, const Window& 
   Canvas canvas(window, columns, rows);
   for (std::size_t p = 0; p < particles.x.size(); ++p) {
     const double x = particles.x[p], y = particles.y[p], value = particles.value[p];
-    const double half = particles.size[p] * overlap / 2;
+    const double half = particles.size[p] * overlap / 2,
+                 depth = particles.depth.empty() ? 0 : particles.depth[p];
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(value) || !std::isfinite(half)) continue;
-    canvas.paint(x, y, half, value);
-    if (mirrored) canvas.paint(-x, y, half, value);
+    canvas.paint(x, y, depth, half, value);
+    if (mirrored) canvas.paint(-x, y, depth, half, value);
   }
   return canvas.take();
 }

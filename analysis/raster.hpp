@@ -16,6 +16,7 @@ struct ParticleSquares {
   std::vector<double> size;        ///< side of the square that it fills, e.g. sqrt(mass / density) [m]
   std::vector<double> value;       ///< what is coloured
   std::vector<int> material = {};  ///< its number; empty: there is one
+  std::vector<double> depth = {};  ///< distance from the plane of the picture [m]; empty: all are in it
 };
 
 /// Values by rows from the bottom, from left to right. A pixel that no particle covers is a nan.
@@ -24,10 +25,10 @@ struct Raster {
   std::vector<float> values;
 };
 
-/// Every pixel takes the value of the particle with the nearest centre among those whose square, enlarged by
-/// `overlap`, covers it (stretched material shows no gaps, open cavities stay open). With `mirrored`, each
-/// particle is drawn at -x as well. Non-finite particles are left out. Independent of the order of particles,
-/// ties aside.
+/// Every pixel takes the value of the particle with the nearest centre (depth counts) among those whose
+/// square, enlarged by `overlap`, covers it (stretched material shows no gaps, open cavities stay open). With
+/// `mirrored`, each particle is drawn at -x as well. Non-finite particles are left out. Independent of the
+/// order of particles, ties aside.
 Raster rasterise(const ParticleSquares&, bool mirrored, const Window&, int columns, int rows,
                  double overlap = 2.2);
 

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::int64_t most_rows = 30;  ///< of a table; of more, so many from the start and from the end:
 constexpr std::int64_t first_rows = 25, last_rows = 5;
-constexpr std::size_t most_results = 3;  ///< columns of results
+constexpr std::size_t most_results = 5;  ///< columns of results
 constexpr int error_digits = 3;
 constexpr const char* mark = "*";  ///< behind what a flag is about; the line below says why
 
@@ -167,6 +167,10 @@ std::vector<std::string> results_of_interest(const Study& study, std::size_t mos
       add(row.has_colour ? figure.colour : figure.y);
       if (row.y == FigureY::result && quantity_unit(study, figure.x).empty()) add(figure.x);
     }
+  for (const mpm::Gauge& gauge : study.gauges) {
+    for (const mpm::Reduction& reduction : gauge.reductions) add(gauge.name + "." + reduction.name);
+    if (gauge.reductions.empty()) add(gauge.name + ".end");
+  }
   return names;
 }
 

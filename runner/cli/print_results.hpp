@@ -15,7 +15,8 @@ namespace mpmstudy {
 /// captions. Throws CatalogError.
 std::string results_text(const Study&, const std::filesystem::path& results);
 
-/// The headline of the scene, then what the study's fits and figures show, each once; no more than `most`.
+/// The headline of the scene, then what the study's fits and figures show and what its gauges come to (their
+/// reductions, or the value at the end), each once; no more than `most`.
 std::vector<std::string> results_of_interest(const Study&, std::size_t most);
 
 /// The brackets that the catalog has of a study with [search], a line each.

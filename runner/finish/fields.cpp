@@ -14,6 +14,10 @@
 namespace mpmstudy {
 namespace {
 
+/// How far from a slice particles are taken, in their edges: material that is stretched across the slice to
+/// four times its length still has particles there. Of those that cover a place the nearest one is shown.
+constexpr double reach = 2;
+
 /// Edge of a particle's section [m].
 double edge_of(const mpm::Snapshot& s, std::size_t p) {
   const double volume = s.mass[p] / s.density[p];
@@ -83,7 +87,9 @@ analysis::ParticleSquares particles_of(const mpm::Snapshot& s, const std::string
   analysis::ParticleSquares particles;
   for (std::size_t p = 0; p < s.x.size(); ++p) {
     const double edge = edge_of(s, p);
-    if (s.has_depth() && !(std::abs(seen.along[p] - view.at) < edge)) continue;
+    const double depth = s.has_depth() ? std::abs(seen.along[p] - view.at) : 0;
+    if (!(depth < reach * edge)) continue;
+    if (s.has_depth()) particles.depth.push_back(depth);
     particles.x.push_back(seen.across[p]), particles.y.push_back(seen.up[p]);
     particles.size.push_back(edge), particles.value.push_back(values[p]);
     if (several) particles.material.push_back(materials[p]);

@@ -11,9 +11,9 @@ namespace mpmstudy {
 /// Particles of a snapshot, coloured by the field that a study calls by this name ("pressure",
 /// "plastic_work", ...). Throws std::runtime_error for a field that it does not have.
 /// `materials`: the number of each particle's material; empty, or of another length: there is one.
-/// Of three axes what `view` says: the particles of a slice (less than their own edge away from it), or one
-/// square for each column of particles, as wide as a particle, which has no material. Along x a place is
-/// drawn at (z, y), along y at (x, z), along z at (x, y).
+/// Of three axes what `view` says: the particles of a slice (less than twice their own edge away from it, and
+/// how far), or one square for each column of particles, as wide as a particle, which has no material. Along
+/// x a place is drawn at (z, y), along y at (x, z), along z at (x, y).
 analysis::ParticleSquares particles_of(const mpm::Snapshot&, const std::string& field,
                                        const std::vector<int>& materials = {}, const FieldView& view = {});
 

@@ -157,4 +157,13 @@ TEST_F(FieldPlotTest, NothingToDrawIsAnError) {
   EXPECT_THROW(draw(plot, folder_ / "f"), std::invalid_argument);
 }
 
+TEST(Raster, ShowsTheParticleThatIsNearestToThePlaneOfThePicture) {
+  for (const bool swapped : {false, true}) {
+    ParticleSquares two{{0, 0}, {0, 0}, {1, 1}, {7, 8}};
+    two.depth = swapped ? std::vector<double>{0.9, 0.2} : std::vector<double>{0.2, 0.9};
+    const auto raster = rasterise(two, false, {-0.5, 0.5, -0.5, 0.5}, 3, 3);
+    for (const float value : raster.values) EXPECT_EQ(value, swapped ? 8 : 7);
+  }
+}
+
 }  // namespace

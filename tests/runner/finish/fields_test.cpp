@@ -31,21 +31,23 @@ TEST(FieldFigures, ShowAllParticlesOfTwoAxes) {
 
 TEST(FieldFigures, ShowTheSectionOfThreeAxes) {
   const auto drawn = mpmstudy::particles_of(particles(true), "velocity_z");
-  EXPECT_THAT(drawn.x, ElementsAre(2, 3));
-  EXPECT_THAT(drawn.y, ElementsAre(5, 6));
-  EXPECT_THAT(drawn.size, ElementsAre(2, 2));
-  EXPECT_THAT(drawn.value, ElementsAre(11, 12));
+  EXPECT_THAT(drawn.x, ElementsAre(1, 2, 3));
+  EXPECT_THAT(drawn.y, ElementsAre(4, 5, 6));
+  EXPECT_THAT(drawn.size, ElementsAre(2, 2, 2));
+  EXPECT_THAT(drawn.value, ElementsAre(10, 11, 12));
+  EXPECT_THAT(drawn.depth, ElementsAre(3, 1, 1.5));
 }
 
 TEST(FieldFigures, ShowASliceAnywhere) {
-  const auto at_z = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 2, .at = 4});
+  const auto at_z = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 2, .at = 6});
   EXPECT_THAT(at_z.value, ElementsAre(10));
-  const auto at_x = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 0, .at = 4});
+  const auto at_x = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 0, .at = 6});
   EXPECT_THAT(at_x.x, ElementsAre(-1.5));  // z, y
   EXPECT_THAT(at_x.y, ElementsAre(6));
-  const auto at_y = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 1, .at = 3});
+  const auto at_y = mpmstudy::particles_of(particles(true), "velocity_z", {}, {.axis = 1, .at = 1});
   EXPECT_THAT(at_y.x, ElementsAre(1));  // x, z
   EXPECT_THAT(at_y.y, ElementsAre(3));
+  EXPECT_THAT(at_y.depth, ElementsAre(3));
 }
 
 TEST(FieldFigures, ShowWhatIsSeenAlongAnAxis) {
