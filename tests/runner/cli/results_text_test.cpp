@@ -85,6 +85,18 @@ TEST_F(ResultsText, a_row_has_what_is_swept_the_result_its_interval_and_the_outc
   EXPECT_EQ(table(), "");
 }
 
+TEST_F(ResultsText, gauges_show_their_reductions_or_what_they_end_with) {
+  write("\"1 um\"",
+        "[[gauge]]\nname = \"push\"\nof = \"force\"\nwall = \"bottom\"\n[[gauge]]\nname = \"rear\"\nof = "
+        "\"velocity_y\"\n"
+        "point = [\"1 um\", \"6 um\"]\nreduce = { mid = \"at 0.5 ns\" }\n");
+  simulate = [](const mpm::Scene& s, mpm::Observer& o) { return mpm::run(s, o); };  // which has histories
+  ASSERT_EQ(run(), 0) << output;
+  EXPECT_THAT(output, HasSubstr("push.end"));
+  EXPECT_THAT(output, HasSubstr("rear.mid"));
+  EXPECT_THAT(output, Not(HasSubstr("rear.end")));
+}
+
 TEST_F(ResultsText, numbers_with_a_flag_are_marked_and_a_line_says_why) {
   write("[\"1 um\", \"1.5 um\", \"2 um\"]", fit);
   simulate = [good = simulate](const mpm::Scene& s, mpm::Observer& o) {
