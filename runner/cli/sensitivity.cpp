@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "analysis/sobol_indices.hpp"
+#include "analysis/units.hpp"
 #include "runner/cli/last_run.hpp"
 #include "runner/cli/surface_text.hpp"
 #include "runner/cli/text_table.hpp"
 #include "runner/finish/surface.hpp"
+#include "runner/study/parameter_value.hpp"
+#include "runner/study/written_unit.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -40,11 +44,29 @@ double rank_of(const ResultSurface& surface, std::size_t input) {
   return analysis::rank_correlation({column.begin(), column.end()}, surface.values);
 }
 
+/// "0.42 at 102 m/s, 0.97 at 394 m/s": the ends of a main effect.
+std::string effect_text(const Study& study, const ResultSurface& surface, std::size_t input,
+                        const MainEffect& effect) {
+  const std::string& name = surface.inputs[input];
+  const auto end = [&](std::size_t level) {
+    const double result = effect.results[level].value;
+    const auto unit = analysis::display_unit(surface.unit, std::abs(result));
+    return fmt::format("{:.3g}{}{} at {}", result * unit.factor, unit.text.empty() ? "" : " ", unit.text,
+                       in_written_unit(std::stod(fmt::format("{:.3g}", effect.inputs[level])),
+                                       quantity_unit(study, name), name, study.units));
+  };
+  return end(0) + ", " + end(effect.inputs.size() - 1);
+}
+
 void print_text(const Study& study, const ResultSurface& surface, const Sensitivity& s) {
   const auto interval = [](const Estimate& e) { return fmt::format("{:.2f} to {:.2f}", e.low, e.high); };
-  std::vector<TextColumn> columns = {{"parameter", "", {}, true}, {"first", "", {}},
-                                     {"(95 %)", "", {}, true},    {"total", "", {}},
-                                     {"(95 %)", "", {}, true},    {"rank", "", {}}};
+  std::vector<TextColumn> columns = {{"parameter", "", {}, true},
+                                     {"first", "", {}},
+                                     {"(95 %)", "", {}, true},
+                                     {"total", "", {}},
+                                     {"(95 %)", "", {}, true},
+                                     {"rank", "", {}},
+                                     {"mean of the result", "", {}, true}};
   for (std::size_t k = 0; k < surface.inputs.size(); ++k) {
     columns[0].cells.push_back(surface.inputs[k]);
     columns[1].cells.push_back(fmt::format("{:.3f}", s.first[k].value));
@@ -52,12 +74,24 @@ void print_text(const Study& study, const ResultSurface& surface, const Sensitiv
     columns[3].cells.push_back(fmt::format("{:.3f}", s.total[k].value));
     columns[4].cells.push_back(interval(s.total[k]));
     columns[5].cells.push_back(fmt::format("{:+.2f}", rank_of(surface, k)));
+    columns[6].cells.push_back(effect_text(study, surface, k, s.effects[k]));
   }
   fmt::print("\n{}: {}\n{}", study.name, surface.result, text_table(columns));
   fmt::print("  mean {}), standard deviation {}); inputs {}\n{}", interval_text(s.mean, surface.unit, " ("),
              interval_text(s.deviation, surface.unit, " ("),
              study.distributions.empty() ? "even between the ends of the runs" : "as the study draws them",
              quality_text(surface));
+}
+
+/// Of each value of an input, SI: the mean of the result and its interval.
+Json effect_json(const MainEffect& effect) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < effect.inputs.size(); ++i)
+    json.push_back({{"at", effect.inputs[i]},
+                    {"value", effect.results[i].value},
+                    {"low", effect.results[i].low},
+                    {"high", effect.results[i].high}});
+  return json;
 }
 
 Json to_json(const ResultSurface& surface, const Sensitivity& s) {
@@ -68,7 +102,8 @@ Json to_json(const ResultSurface& surface, const Sensitivity& s) {
   for (std::size_t k = 0; k < surface.inputs.size(); ++k)
     parameters[surface.inputs[k]] = {{"first", estimate(s.first[k])},
                                      {"total", estimate(s.total[k])},
-                                     {"rank_correlation", rank_of(surface, k)}};
+                                     {"rank_correlation", rank_of(surface, k)},
+                                     {"main_effect", effect_json(s.effects[k])}};
   Json json = {{"result", surface.result},
                {"unit", surface.unit},
                {"parameters", std::move(parameters)},

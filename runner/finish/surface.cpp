@@ -61,6 +61,27 @@ Estimate widened(const Estimate& index, double by) {
           std::clamp(index.high + by, 0.0, 1.0)};
 }
 
+constexpr std::size_t levels = 9;
+
+/// The value at a level of a main effect.
+double level_of(const std::function<double(double)>& at, std::size_t level) {
+  constexpr double first = 0.02, last = 0.98;  // a distribution may have no ends
+  return at(first + (last - first) * static_cast<double>(level) / (levels - 1));
+}
+
+/// The mean of a surface over the rows, with one of their columns at a value.
+double mean_with(const analysis::GaussianProcess::Path& path, const Eigen::MatrixXd& rows,
+                 Eigen::Index column, double value) {
+  double sum = 0;
+  Eigen::VectorXd input;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    input = rows.row(i).transpose();
+    input(column) = value;
+    sum += path(input);
+  }
+  return sum / static_cast<double>(rows.rows());
+}
+
 }  // namespace
 
 std::vector<std::string> swept_words(const Study& study) {
@@ -132,6 +153,8 @@ Sensitivity sensitivity_of(const analysis::GaussianProcess& process,
   const auto columns = static_cast<Eigen::Index>(inputs);
   std::vector<std::vector<double>> first(inputs), total(inputs);
   std::vector<double> means, deviations;
+  constexpr Eigen::Index effect_samples = 64;
+  std::vector<std::vector<std::vector<double>>> effects(inputs, std::vector<std::vector<double>>(levels));
   SplitMix64 random(1);
   for (std::uint64_t k = 0; k < paths; ++k) {
     const auto path =
@@ -144,6 +167,10 @@ Sensitivity sensitivity_of(const analysis::GaussianProcess& process,
         b(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(m)) = at[m](shares[i][inputs + m]);
       }
     const auto indices = analysis::sobol_indices(path, a, b);
+    for (std::size_t m = 0; m < inputs; ++m)
+      for (std::size_t level = 0; level < levels; ++level)
+        effects[m][level].push_back(
+            mean_with(path, a.topRows(effect_samples), static_cast<Eigen::Index>(m), level_of(at[m], level)));
     means.push_back(indices.mean);
     deviations.push_back(indices.deviation);
     for (std::size_t m = 0; m < inputs && !indices.first.empty(); ++m) {
@@ -152,7 +179,14 @@ Sensitivity sensitivity_of(const analysis::GaussianProcess& process,
     }
   }
   const double unexplained = std::max(0.0, 1 - process.cross_validation().q2.value_or(1));
-  Sensitivity sensitivity{{}, {}, estimate(means), estimate(deviations)};
+  Sensitivity sensitivity{{}, {}, {}, estimate(means), estimate(deviations)};
+  for (std::size_t m = 0; m < inputs; ++m) {
+    MainEffect& effect = sensitivity.effects.emplace_back();
+    for (std::size_t level = 0; level < levels; ++level) {
+      effect.inputs.push_back(level_of(at[m], level));
+      effect.results.push_back(estimate(effects[m][level]));
+    }
+  }
   for (std::size_t m = 0; m < inputs; ++m) {
     sensitivity.first.push_back(first[m].empty() ? Estimate{} : widened(estimate(first[m]), unexplained));
     sensitivity.total.push_back(total[m].empty() ? Estimate{} : widened(estimate(total[m]), unexplained));

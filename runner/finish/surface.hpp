@@ -35,14 +35,21 @@ ResultSurface surface_of(const Study&, const StudyResults&, const std::string& r
 struct Estimate {
   double value = 0, low = 0, high = 0;
 };
+/// What a result is on average where one input has a value and all others are drawn.
+struct MainEffect {
+  std::vector<double> inputs;     ///< SI, ascending
+  std::vector<Estimate> results;  ///< at each, in the unit of the result
+};
 struct Sensitivity {
   std::vector<Estimate> first, total;  ///< Sobol indices of each input
+  std::vector<MainEffect> effects;     ///< of each input
   Estimate mean, deviation;            ///< of the result, its inputs drawn
 };
 /// Of surfaces drawn from the process [Marrel et al. 2009], each with a Sobol sequence of its own. Intervals
 /// hold what the runs leave open and the error of the sums, and are wider by the share of the variance that
 /// runs left out show to be unexplained (1 - Q2): whose it is, is not known. `at`: the value of each input
-/// below which a share of it lies. The same on every machine but for rounding.
+/// below which a share of it lies. Main effects are at nine values of each, of equal shares between its 2 %
+/// and its 98 % point. The same on every machine but for rounding.
 Sensitivity sensitivity_of(const analysis::GaussianProcess&,
                            const std::vector<std::function<double(double)>>& at);
 

@@ -86,7 +86,13 @@ TEST_F(Predict, SensitivityNamesWhatMatters) {
   }
   EXPECT_GT(parameters["impact_speed"]["total"]["value"], parameters["cavity_radius"]["total"]["value"]);
   EXPECT_GT(parameters["impact_speed"]["rank_correlation"], 0.3);
-  EXPECT_THAT(out("sensitivity map --of collapsibility"), HasSubstr("inputs as the study draws them"));
+  const Json& effect = parameters["impact_speed"]["main_effect"];
+  ASSERT_EQ(effect.size(), 9u);
+  EXPECT_GT(effect[8]["value"], effect[0]["value"]) << "a faster impact closes more of the cavity";
+  EXPECT_GT(effect[8]["at"], effect[0]["at"]);
+  const std::string text = out("sensitivity map --of collapsibility");
+  EXPECT_THAT(text, HasSubstr("inputs as the study draws them"));
+  EXPECT_THAT(text, testing::ContainsRegex("impact_speed .* 0\\.[0-9]+ at 106 m/s, [0-9.]+ at 394 m/s"));
 }
 
 }  // namespace

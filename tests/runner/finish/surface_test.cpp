@@ -72,6 +72,20 @@ TEST(Sensitivity, HoldsTheIndicesOfTheIshigamiFunction) {
     holds(s.total[k], total_indices[k]);
   }
   EXPECT_NEAR(s.mean.value, 3.5, 0.2);
+  // What is left of the function where all but one of its inputs are drawn: sin x (1 + 0.1 pi^4 / 5) + 3.5,
+  // 7 sin^2 x, 3.5.
+  for (std::size_t k = 0; k < 3; ++k) {
+    ASSERT_EQ(s.effects[k].inputs.size(), 9u);
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double x = s.effects[k].inputs[i], sine = std::sin(x);
+      const double truth = k == 0   ? sine * (1 + 0.1 * std::pow(pi, 4) / 5) + 3.5
+                           : k == 1 ? 7 * sine * sine
+                                    : 3.5;
+      EXPECT_NEAR(s.effects[k].results[i].value, truth, 0.7) << k << " at " << x;
+      EXPECT_LE(s.effects[k].results[i].low, s.effects[k].results[i].value);
+      EXPECT_GE(s.effects[k].results[i].high, s.effects[k].results[i].value);
+    }
+  }
 }
 
 TEST(RankCorrelation, OfOrderedAndOfTiedValues) {
