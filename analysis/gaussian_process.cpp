@@ -216,16 +216,59 @@ void GaussianProcess::solve() {
   const MatrixXd inverse = factor.solve(MatrixXd::Identity(n, n));
   double squares = 0;
   int covered = 0;
+  left_out_scores_.resize(n);
   for (Index i = 0; i < n; ++i) {
     const double q = inverse(i, i) - one_(i) * one_(i) / one_.sum();
     const double error = weights_(i) / q;
+    left_out_scores_(i) = -error * std::sqrt(q);
     squares += error * error;
     covered += std::abs(error) <= half_width_95 / std::sqrt(q);
   }
+  neighbour_ = 0;
+  for (Index i = 0; i < n; ++i) {
+    double nearest = infinity;
+    for (Index j = 0; j < n; ++j)
+      if (j != i)
+        nearest =
+            std::min(nearest, (x_.row(i) - x_.row(j)).transpose().cwiseQuotient(lengths_).squaredNorm());
+    neighbour_ += std::sqrt(nearest) / static_cast<double>(n);
+  }
+  if (!(neighbour_ > 0)) neighbour_ = 1;
   const double total = y_.squaredNorm();
   cross_validation_ = {std::sqrt(squares / static_cast<double>(n)) * scale_,
                        total > 0 ? std::optional(1 - squares / total) : std::nullopt,
                        static_cast<double>(covered) / static_cast<double>(n)};
+}
+
+MatrixXd GaussianProcess::covariance(const MatrixXd& places) const {
+  const Index n = x_.rows(), m = places.rows();
+  const MatrixXd scaled_places =
+      (places.rowwise() - low_.transpose()).array().rowwise() / width_.transpose().array();
+  MatrixXd of_runs(n, m), prior(m, m);
+  for (Index j = 0; j < m; ++j) {
+    const VectorXd x = scaled_places.row(j).transpose();
+    for (Index i = 0; i < n; ++i) of_runs(i, j) = kernel(x, x_.row(i).transpose());
+    for (Index i = 0; i <= j; ++i) prior(i, j) = prior(j, i) = kernel(x, scaled_places.row(i).transpose());
+  }
+  const MatrixXd half = factor_.triangularView<Eigen::Lower>().solve(of_runs);
+  const VectorXd rest = VectorXd::Ones(m) - of_runs.transpose() * one_;
+  return scale_ * scale_ * (prior - half.transpose() * half + rest * rest.transpose() / one_.sum());
+}
+
+std::vector<double> GaussianProcess::left_out_scores() const {
+  return {left_out_scores_.begin(), left_out_scores_.end()};
+}
+
+double GaussianProcess::surprise(const VectorXd& place) const {
+  const VectorXd x = scaled(place);
+  double sum = 1, weights = 1;  // as if one run about were off by what the surface says
+  for (Index i = 0; i < x_.rows(); ++i) {
+    const double square = (x - x_.row(i).transpose()).cwiseQuotient(lengths_).squaredNorm();
+    const double weight = std::exp(-0.5 * square / (neighbour_ * neighbour_));
+    sum += weight * std::pow(left_out_scores_(i), 2);
+    weights += weight;
+  }
+  return sum / weights;
 }
 
 ValueWithDeviation GaussianProcess::at(const VectorXd& input) const {

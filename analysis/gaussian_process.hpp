@@ -38,7 +38,17 @@ class GaussianProcess {
   bool ok() const { return failure_.empty(); }
 
   ValueWithDeviation at(const Eigen::VectorXd& input) const;
+  /// Covariance of the curve's values at places, a row each, as the runs leave it [unit of the values,
+  /// squared].
+  Eigen::MatrixXd covariance(const Eigen::MatrixXd& places) const;
   const CrossValidation& cross_validation() const { return cross_validation_; }
+  /// What each run is off the surface through all others, over the standard deviation that this has of it.
+  std::vector<double> left_out_scores() const;
+  /// How far off runs about a place are, left out, against what the surface says of them: 1 as it says, more
+  /// where it is too sure of itself. Mean of the squares, over as many runs about as a run has neighbours.
+  double surprise(const Eigen::VectorXd& place) const;
+  /// Standard deviation of a run from the curve: scatter and, on average, its own [unit of the values].
+  double run_deviation() const { return std::sqrt(scatter_ + noise_.mean()) * scale_; }
   /// In the unit of the input: how far one has to go for another value.
   Eigen::VectorXd lengths() const { return lengths_.cwiseProduct(width_); }
   double scatter() const { return std::sqrt(scatter_) * scale_; }  ///< standard deviation, unit of the values
@@ -75,9 +85,11 @@ class GaussianProcess {
   double offset_ = 0, scale_ = 1;  ///< of the values
   Eigen::VectorXd lengths_;        ///< of scaled inputs
   double variance_ = 1, scatter_ = 0, mean_ = 0;
-  Eigen::MatrixXd factor_;   ///< L, covariance of the runs = L L^T
-  Eigen::VectorXd weights_;  ///< covariance^-1 (y - mean)
-  Eigen::VectorXd one_;      ///< covariance^-1 1
+  Eigen::MatrixXd factor_;           ///< L, covariance of the runs = L L^T
+  Eigen::VectorXd weights_;          ///< covariance^-1 (y - mean)
+  Eigen::VectorXd one_;              ///< covariance^-1 1
+  Eigen::VectorXd left_out_scores_;  ///< error of each run over its standard deviation
+  double neighbour_ = 1;             ///< distance of a run from the next one, in lengths, on average
   CrossValidation cross_validation_;
 };
 

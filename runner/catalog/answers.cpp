@@ -35,6 +35,7 @@ struct CatalogAnswers::Impl {
                             "SELECT j.status, coalesce(j.outcome, ''), coalesce(m.value, 0.0) FROM job j "
                             "LEFT JOIN metric m ON m.job_id = j.id AND m.name = 'decision_margin' "
                             "WHERE j.key = ?1 AND j.status IN ('done', 'failed')"};
+  SQLite::Statement flags{*db, "SELECT coalesce(flags, '') FROM jobs WHERE key = ?1 LIMIT 1"};
   std::map<std::string, std::unique_ptr<SQLite::Statement>> readers;
 };
 
@@ -84,6 +85,14 @@ std::optional<Reading> CatalogAnswers::reading(const std::string& key, const std
     reading = Reading{row.getColumn(0).getDouble(), std::isfinite(error) ? std::abs(error) : 0};
   });
   return reading;
+}
+
+std::string CatalogAnswers::flags(const std::string& key) const {
+  std::string flags;
+  if (!impl_) return flags;
+  impl_->flags.bind(1, key);
+  first_row(impl_->flags, [&](SQLite::Statement& row) { flags = row.getColumn(0).getString(); });
+  return flags;
 }
 
 }  // namespace mpmstudy

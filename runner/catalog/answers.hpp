@@ -16,6 +16,7 @@ class CatalogAnswers : public Answers {
 
   std::optional<Answer> of(const std::string& key) const override;
   std::optional<Reading> reading(const std::string& key, const std::string& quantity) const override;
+  std::string flags(const std::string& key) const override;
 
  private:
   struct Impl;

@@ -11,6 +11,7 @@
 #include "runner/catalog/study_tables.hpp"
 #include "runner/cli/print_results.hpp"
 #include "runner/cli/skipped_points.hpp"
+#include "runner/cli/surface_text.hpp"
 #include "runner/finish/fits.hpp"
 #include "runner/finish/study_results.hpp"
 
@@ -124,6 +125,7 @@ nlohmann::ordered_json results_json(const Study& study, const std::filesystem::p
                {"file", study.path.string()},
                {"jobs", jobs_of(study, results)}};
   if (study.search) json["brackets"] = brackets_of_search(study, results);
+  if (study.surface) json["surface"] = tolerance_json(study, results);
   json["fits"] = fits_of_study(study, results);
   json["skipped"] = skipped_json(study);
   return json;

@@ -137,6 +137,18 @@ SearchCost search_cost(const Study& study, const CostModel& cost, int workers) {
   return search;
 }
 
+/// How many runs a [surface] may add.
+std::int64_t added_runs(const Study& study, const std::vector<Job>& first) {
+  return std::max<std::int64_t>(0, study.surface->budget - std::ssize(first));
+}
+
+/// Of the design and of all that a [surface] may add, by the first of its places.
+Prediction added_cost(const Study& study, const Plan& plan, std::vector<Job> first) {
+  const auto added = std::min(added_runs(study, first), std::ssize(plan.candidates));
+  first.insert(first.end(), plan.candidates.begin(), plan.candidates.begin() + added);
+  return total_cost(plan.cost, first);
+}
+
 /// key -> status; nothing where the catalog cannot be read.
 std::map<std::string, JobStatus> known_jobs(const std::string& results) {
   try {
@@ -186,7 +198,12 @@ void print_text(const Study& study, const Plan& plan, int workers, const std::st
              readable_bytes(largest_job(first)));
   if (const auto known = known_jobs(results); !known.empty())
     fmt::print("{} of {} done already in {}\n", count_done(first, known), first.size(), results);
-  if (all.size() > first.size())
+  if (study.surface) {
+    const SurfaceRequest& surface = *study.surface;
+    fmt::print("[surface] of {} adds up to {} runs where they tell it most, {} in a round: {} for all {}\n",
+               surface.of, added_runs(study, first), surface.batch,
+               readable_cost(added_cost(study, plan, first)), surface.budget);
+  } else if (all.size() > first.size())
     fmt::print("At most, if no ladder ends early: {} jobs, {}, {} on -j {}\n", all.size(),
                readable_cost(total_cost(plan.cost, all)), duration(wall_seconds(all, workers)), workers);
   if (study.search) {
@@ -252,7 +269,8 @@ Json to_json(const Study& study, const Plan& plan, int workers, const std::strin
           {"cpu_seconds_low", cost.interval ? Json(cost.interval->low) : Json(nullptr)},
           {"cpu_seconds_high", cost.interval ? Json(cost.interval->high) : Json(nullptr)},
           {"longest_job_seconds", longest_job(first)},
-          {"most_cpu_seconds", cpu_seconds(all_jobs(plan))},
+          {"most_cpu_seconds",
+           study.surface ? added_cost(study, plan, first).seconds : cpu_seconds(all_jobs(plan))},
           {"workers", workers},
           {"wall_seconds", wall_seconds(first, workers)},
           {"search", std::move(search)},

@@ -161,6 +161,7 @@ std::vector<std::string> results_of_interest(const Study& study, std::size_t mos
       names.push_back(name);
   };
   add(study.ladder.quantity);
+  if (study.surface) add(study.surface->of);
   for (const auto& fit : study.fits) add(fit.y);
   for (const auto& figure : study.figures)
     if (const FigureKindRow& row = row_of(figure.kind); row.has_x) {

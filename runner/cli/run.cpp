@@ -30,6 +30,7 @@
 #include "runner/cli/run_plan.hpp"
 #include "runner/cli/run_slurm.hpp"
 #include "runner/cli/skipped_points.hpp"
+#include "runner/cli/surface_text.hpp"
 #include "runner/exec/git_revision.hpp"
 #include "runner/exec/run_studies.hpp"
 #include "runner/exec/signals.hpp"
@@ -90,7 +91,7 @@ void print_studies(const std::vector<Study>& studies, const std::map<std::string
       print_search(study, search->second);
       fmt::print("{}{}", failures_text(study, results), fits_text(study, results));
     } else if (!quiet) {
-      fmt::print("{}", results_text(study, results));
+      fmt::print("{}{}", results_text(study, results), tolerance_text(study, results));
     }
     fmt::print("{}", skipped);
   }

@@ -18,6 +18,24 @@
 #include "runner/status/label.hpp"
 
 namespace mpmstudy {
+namespace {
+
+/// The jobs that a run begins with, and what a [surface] has added to them or adds next.
+std::vector<Job> jobs_known(const PlannedStudy& study, const RunAnswers& answers) {
+  auto jobs = jobs_to_run(study);
+  if (study.surface && !study.selection.keys)
+    for (Job& job : jobs_wanted(study, answers)) jobs.push_back(std::move(job));
+  return jobs;
+}
+
+/// What a [surface] may do beside the jobs that are listed.
+std::string surface_text(const Study& study) {
+  if (!study.surface) return "";
+  return fmt::format("{}: [surface] adds runs, {} in a round, until {} in all or its tolerance holds\n",
+                     study.name, study.surface->batch, study.surface->budget);
+}
+
+}  // namespace
 
 int print_intent(const RunOptions& options, const std::vector<Study>& studies,
                  const std::vector<PlannedStudy>& planned, const CostModel& cost, const JobLabels& labels) {
@@ -26,8 +44,10 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
   std::map<JobStatus, std::int64_t> kept;
   std::set<std::string> seen;
   double seconds = 0;
+  const CatalogAnswers known_answers(options.results);
+  const RunAnswers answers(known_answers, options.retry_failed);
   for (const auto& study : planned)
-    for (const auto& job : jobs_to_run(study)) {
+    for (const auto& job : jobs_known(study, answers)) {
       if (!seen.insert(job.key).second) continue;
       const auto found = known.find(job.key);
       const JobStatus status = found == known.end() ? JobStatus::planned : found->second;
@@ -44,8 +64,6 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
                                             job.estimate.particles, job.estimate.steps,
                                             readable_duration(job.predicted_seconds), labels(job)),
                                 line_columns));
-  const CatalogAnswers known_answers(options.results);
-  const RunAnswers answers(known_answers, options.retry_failed);
   auto count = static_cast<std::int64_t>(jobs.size());
   bool about = false;
   for (const auto& study : studies) {
@@ -57,6 +75,7 @@ int print_intent(const RunOptions& options, const std::vector<Study>& studies,
     count += forecast.runs;
     about |= forecast.runs > 0;
   }
+  for (const auto& study : studies) fmt::print("{}", surface_text(study));
   fmt::print("{}{} would run, about {} of one core; {} done already{}\n", about ? "about " : "",
              counted(count, "job"), readable_duration(seconds), kept[JobStatus::done],
              kept[JobStatus::failed] > 0

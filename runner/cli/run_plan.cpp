@@ -87,9 +87,10 @@ std::vector<PlannedStudy> plan_studies(const RunOptions& options, const std::vec
     if (study.search)
       study.scenes = possible_scenes(study, [&](const std::string& key) { return keys.contains(key); });
     planned.push_back({make_plan(study, cost), study.title, source, {}, {}, 0});
+    if (study.surface) planned.back().surface = study;
     if (options.only.empty()) continue;
     auto& members = planned.back().selection.members;
-    if (study.search || options.shard)
+    if (study.search || study.surface || options.shard)
       members = Members::also;
     else if (!planned.back().plan.ladders.empty())
       members = Members::at_least;

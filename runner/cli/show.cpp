@@ -12,6 +12,7 @@
 #include "runner/cli/print_failures.hpp"
 #include "runner/cli/print_results.hpp"
 #include "runner/cli/skipped_points.hpp"
+#include "runner/cli/surface_text.hpp"
 #include "runner/finish/study_results.hpp"
 
 namespace mpmstudy {
@@ -41,7 +42,7 @@ int run_show(const ShowOptions& options) {
                  failures_text(study, options.results), fits_text(study, options.results));
     else
       fmt::print("{}", results_text(study, options.results));
-    fmt::print("{}", skipped_text(study));
+    fmt::print("{}{}", tolerance_text(study, options.results), skipped_text(study));
   }
   if (options.json) fmt::print("{}\n", results_json(studies, options.results, code));
   return code;

@@ -10,6 +10,7 @@
 #include "runner/cli/print_results.hpp"
 #include "runner/study/schema.hpp"
 #include "runner/study/searched.hpp"
+#include "runner/surface/surface_state.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -54,6 +55,41 @@ std::string quality_text(const ResultSurface& surface) {
       "    from {} runs; each left out in turn: error {} (rms){}, {:.0f} of {} within the 95 % interval\n",
       runs, number_text(cross.rms, surface.unit), cross.q2 ? fmt::format(", Q2 = {:.3f}", *cross.q2) : "",
       std::round(cross.covered * static_cast<double>(runs)), runs);
+}
+
+namespace {
+
+/// By the done jobs of the study.
+SurfaceState state_of(const Study& study, const StudyResults& results) {
+  std::vector<SurfaceRun> runs;
+  for (const JobResults& job : results.done) {
+    runs.push_back({&job.scene, {}, 0});
+    if (const auto value = result_of(results, job, study.surface->of)) {
+      runs.back().value = value->value;
+      runs.back().error = value->error.value_or(0);
+    }
+  }
+  return surface_state(study, runs);
+}
+
+}  // namespace
+
+std::string tolerance_text(const Study& study, const std::filesystem::path& results) {
+  if (!study.surface) return "";
+  const StudyResults read = read_results(study, results);
+  const SurfaceState state = state_of(study, read);
+  return fmt::format("  surface of {}, tolerance {}: {} runs of at most {}; {}\n", study.surface->of,
+                     state.holds() ? "holds" : "does not hold", read.done.size(), study.surface->budget,
+                     readable_state(study, state));
+}
+
+nlohmann::ordered_json tolerance_json(const Study& study, const std::filesystem::path& results) {
+  if (!study.surface) return nullptr;
+  const StudyResults read = read_results(study, results);
+  const SurfaceState state = state_of(study, read);
+  return {{"of", study.surface->of},      {"runs", read.done.size()}, {"budget", study.surface->budget},
+          {"tolerance", state.tolerance}, {"share", state.share},     {"holds", state.holds()},
+          {"failure", state.failure}};
 }
 
 nlohmann::ordered_json quality_json(const ResultSurface& surface) {

@@ -1,5 +1,6 @@
 #pragma once
 /// What predict and sensitivity say of the surfaces that they ask.
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -18,5 +19,11 @@ std::string interval_text(const Estimate&, const std::string& si_unit, const cha
 std::string quality_text(const ResultSurface&);
 /// The same for programs: runs, left_out_rms, left_out_q2, left_out_covered.
 nlohmann::ordered_json quality_json(const ResultSurface&);
+
+/// Whether the tolerance of a study's [surface] holds, and by how many runs; "" without one. Throws
+/// CatalogError.
+std::string tolerance_text(const Study&, const std::filesystem::path& results);
+/// The same for programs: of, runs, budget, tolerance, share, holds, failure; null without one.
+nlohmann::ordered_json tolerance_json(const Study&, const std::filesystem::path& results);
 
 }  // namespace mpmstudy

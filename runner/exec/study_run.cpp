@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runner/ladder/ladder_planner.hpp"
+#include "runner/surface/surface_planner.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -25,6 +26,8 @@ std::vector<Job> jobs_to_register(const PlannedStudy& study) {
 
 std::unique_ptr<Planner> planner_of(const PlannedStudy& study) {
   if (study.search) return std::make_unique<SearchPlanner>(*study.search, study.plan.cost);
+  if (study.surface && !study.selection.keys)
+    return std::make_unique<SurfacePlanner>(*study.surface, study.plan);
   if (study.plan.ladder.accuracy && !study.selection.keys)  // jobs that are chosen run without a reason
     return std::make_unique<LadderPlanner>(study.plan);
   return std::make_unique<Sweep>(jobs_to_register(study));

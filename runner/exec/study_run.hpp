@@ -23,6 +23,7 @@ struct PlannedStudy {
   /// Share of the runs of the search that ended early which are run to their end, 0 ... 1; they belong to the
   /// study NAME-audit.
   double audit = 0;
+  std::optional<Study> surface = {};  ///< the study itself, where it has a [surface]
 };
 
 /// The jobs that a run of the study begins with: those of the plan that the selection has, each key once.
@@ -39,6 +40,7 @@ class RunAnswers : public Answers {
   std::optional<Reading> reading(const std::string& key, const std::string& quantity) const override {
     return known_.reading(key, quantity);
   }
+  std::string flags(const std::string& key) const override { return known_.flags(key); }
   void tried(const std::string& key) { tried_.insert(key); }
   /// Whether the job is to run again if it has failed.
   bool retries(const std::string& key) const { return retry_failed_ && !tried_.contains(key); }

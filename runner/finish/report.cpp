@@ -115,6 +115,8 @@ std::set<std::string> keys_of(const Study& study) {
     for (std::size_t rung = ladder.first_answer; rung < ladder.scenes.size(); ++rung)
       keys.insert(job_key(ladder.scenes[rung]));
   }
+  if (study.surface)
+    for (const mpm::Scene& scene : study.surface->candidates) keys.insert(job_key(scene));
   return keys;
 }
 

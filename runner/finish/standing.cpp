@@ -56,7 +56,7 @@ StudyStanding standing_of(const Study& study, const std::filesystem::path& resul
   for (const auto& [status, count] : states) jobs += count;
   if (jobs == 0) return {Standing::other, "the catalog does not have the study"};
   const StudyResults found = read_results(study, results);
-  const bool others = !study.search && found.missing == 0 && jobs > found.done.size();
+  const bool others = !study.search && !study.surface && found.missing == 0 && jobs > found.done.size();
   const std::size_t wanted = distinct_jobs(study);
   const bool whole = found.missing == 0 && (!study.search || found.done.size() == wanted);
   if (whole && !others) return {};

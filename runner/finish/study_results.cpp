@@ -176,6 +176,13 @@ StudyResults read_results(const Study& study, const std::filesystem::path& folde
     results.done.push_back({key, ladder.scenes[rung], {}, {}, {}});
     drawn += key;
   }
+  if (study.surface)  // what its [surface] has added, of all that it may add
+    for (const mpm::Scene& scene : study.surface->candidates) {
+      const std::string key = job_key(scene);
+      if (!done.contains(key) || !seen.insert(key).second) continue;
+      results.done.push_back({key, scene, {}, {}, {}});
+      drawn += key;
+    }
   for (const DoneJob& job : jobs)
     for (const auto& value : {job.energy_error, job.final_area, job.final_area_error})
       if (value) drawn += fmt::format(" {:a}", *value);

@@ -76,6 +76,11 @@ Plan make_plan(const Study& study, const CostModel& cost) {
     plan.jobs.push_back(answer);
     plan.ladders.push_back(std::move(rungs));
   }
+  if (study.surface)
+    for (const mpm::Scene& scene : study.surface->candidates) {
+      Job job = make_job(scene, cost);
+      if (known.insert(job.key).second) plan.candidates.push_back(std::move(job));
+    }
   return plan;
 }
 
@@ -93,6 +98,7 @@ std::vector<Job> all_jobs(const Plan& plan) {
   for (const Job& job : first_jobs(plan)) unique.add(job);
   for (const auto& rungs : plan.ladders)
     for (const Job& rung : rungs) unique.add(rung);
+  for (const Job& job : plan.candidates) unique.add(job);
   return std::move(unique.jobs);
 }
 

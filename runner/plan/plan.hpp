@@ -49,7 +49,8 @@ struct Plan {
   /// the job is the last of them; with one it is the last that is always run, and finer ones may follow.
   std::vector<std::vector<Job>> ladders;
   LadderRequest ladder;
-  CostModel cost;  ///< that the predictions are of
+  CostModel cost;                    ///< that the predictions are of
+  std::vector<Job> candidates = {};  ///< of which a [surface] may add some
 };
 
 Plan make_plan(const Study&, const CostModel& = {});
@@ -64,7 +65,8 @@ LadderScenes ladder_scenes(const mpm::Scene&, const LadderRequest&);
 
 /// What runs in any case: the jobs of the study, then the coarser cells under them; every key once.
 std::vector<Job> first_jobs(const Plan&);
-/// All that may run: beside those, the finer cells that an accuracy may ask for. Every key once.
+/// All that may run: beside those, the finer cells that an accuracy, and the places that a [surface] may ask
+/// for. Every key once.
 std::vector<Job> all_jobs(const Plan&);
 
 /// Sum of the predictions [s].

@@ -31,6 +31,8 @@ class Answers {
   virtual std::optional<Answer> of(const std::string& key) const = 0;
   /// Empty: it is not done, or does not show the quantity.
   virtual std::optional<Reading> reading(const std::string& key, const std::string& quantity) const = 0;
+  /// Why the area of the job's cavity means nothing (view `jobs`); "": it does.
+  virtual std::string flags(const std::string& /*key*/) const { return {}; }
 };
 
 class Planner {

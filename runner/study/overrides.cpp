@@ -19,14 +19,31 @@ Table* open_table(Table& document, std::string_view name, const Place& place) {
   return std::get_if<Table>(&entry->value.data);
 }
 
-/// "material.hardening_modulus" -> ("material", "hardening_modulus"); a bare key finds its table by itself.
-std::pair<std::optional<std::string_view>, std::string_view> locate(std::string_view key) {
+/// Tables of which one has the key; arrays of tables are none.
+std::vector<std::string_view> homes_of(std::string_view key) {
+  std::vector<std::string_view> homes;
+  for (const std::string_view table : table_names()) {
+    const auto keys = keys_of(table);
+    if (!is_array_table(table) && std::ranges::find(keys, key) != keys.end()) homes.push_back(table);
+  }
+  return homes;
+}
+
+/// "material.hardening_modulus" -> ("material", "hardening_modulus"); a bare key finds its table by itself:
+/// of several that have it ([search] and [surface] have a tolerance) the one that is in the file.
+std::pair<std::optional<std::string_view>, std::string_view> locate(const Table& document,
+                                                                    std::string_view key) {
   const auto dot = key.find('.');
-  if (dot == std::string_view::npos) return {table_of(key), key};
-  const std::string_view name = key.substr(dot + 1);
-  const auto home = table_of(name);
-  if (home && *home == key.substr(0, dot)) return {home, name};
-  return {std::nullopt, key};
+  const std::string_view name = dot == std::string_view::npos ? key : key.substr(dot + 1);
+  const auto homes = homes_of(name);
+  if (dot != std::string_view::npos) {
+    const auto named = std::ranges::find(homes, key.substr(0, dot));
+    if (named != homes.end()) return {*named, name};
+    return {std::nullopt, key};
+  }
+  for (const std::string_view table : homes)
+    if (document.find(table)) return {table, key};
+  return {homes.empty() ? std::nullopt : std::optional(homes.front()), key};
 }
 
 /// Whether the file has a parameter of that name, be it in no table of ours.
@@ -58,7 +75,7 @@ Refusal unknown(std::string_view key) {
 void apply_overrides(Table& document, const std::vector<std::pair<std::string, std::string>>& set,
                      Mistakes& mistakes) {
   for (const auto& [key, text] : set) {
-    auto [table_name, name] = locate(key);
+    auto [table_name, name] = locate(document, key);
     if (!table_name && is_own(document, key)) table_name = "parameters";
     const Value value = value_of(key, name, text);
     if (!table_name) {

@@ -14,6 +14,7 @@
 #include "runner/study/scenes.hpp"
 #include "runner/study/schema.hpp"
 #include "runner/study/study.hpp"
+#include "runner/study/surface_request.hpp"
 #include "runner/study/units.hpp"
 #include "runner/study/written_unit.hpp"
 
@@ -43,6 +44,7 @@ class Reader {
     check_complete();
     auto sweep = read_sweep(table("sweep"), mistakes_);
     if (sweep && points) add_group(*sweep, *points);
+    if (sweep && study_.surface) check_surface(*sweep, *document_.find("surface"), study_, mistakes_);
     const auto swept = swept_axes(request_);
     for (const Axis* axis : swept) study_.swept.emplace_back(axis->name());
     if (sweep) study_.together = swept_together(*sweep, swept);
@@ -64,6 +66,7 @@ class Reader {
     study_.skipped = std::move(built.skipped);
     mistakes_.throw_if_any();
     if (study_.search && study_.ladder.cells > 1) sweep_ladder(study_);
+    if (study_.surface) read_candidates(*sweep, swept);
     check_figure_files(document_, study_.scenes.size(), mistakes_);
     mistakes_.throw_if_any();
     return std::move(study_);
@@ -94,6 +97,13 @@ class Reader {
     request_.skips_invalid = sweep.skips_invalid;
     request_.invalid_place = sweep.invalid_place;
     mistakes_.throw_if_any();
+  }
+
+  /// Places for the runs that [surface] adds.
+  void read_candidates(const SweepRequest& sweep, const std::vector<const Axis*>& swept) {
+    const SweepRequest more = candidates_of(sweep, *study_.surface);
+    study_.surface->candidates =
+        build_scenes(request_, Combinations(more, swept, more.samples), mistakes_).scenes;
   }
 
   void read_top() {
@@ -291,6 +301,7 @@ class Reader {
     context.gauge_results = metrics_of(study_.gauges);
     study_.fits = read_fits(document_, context, mistakes_);
     study_.figures = read_figures(document_, context, units_, mistakes_);
+    study_.surface = read_surface(document_, context, units_, mistakes_);
     study_.expectation = read_expectation(document_, units_, mistakes_);
   }
 

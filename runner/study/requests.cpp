@@ -365,6 +365,11 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
   return figures;
 }
 
+std::string read_result_name(std::string_view key, const Entry& parent, const Table& table,
+                             const RequestContext& context, Mistakes& mistakes) {
+  return read_result(key, parent, table, context, mistakes, any_result);
+}
+
 std::optional<Expectation> read_expectation(const Table& document, const Units& units, Mistakes& mistakes) {
   const Entry* entry = document.find("expect");
   if (!entry || !entry->value.table()) return std::nullopt;

@@ -37,6 +37,14 @@ std::vector<FigureRequest> read_figures(const Table& document, const RequestCont
 std::optional<SearchRequest> read_search(const Table& document, std::optional<mpm::SceneKind>, const Units&,
                                          Mistakes&);
 
+/// Empty if there is no [surface], or after adding mistakes. Its candidates are left out.
+std::optional<SurfaceRequest> read_surface(const Table& document, const RequestContext&, const Units&,
+                                           Mistakes&);
+
+/// A key that names a result which jobs of this study can have. Adds a mistake for another one.
+std::string read_result_name(std::string_view key, const Entry& parent, const Table&, const RequestContext&,
+                             Mistakes&);
+
 /// Whether a ladder of cells gives a result an interval (libmpm/measure/results.hpp).
 bool has_interval(std::string_view result);
 /// Those of one job. With a kind: that this kind of scene has.

@@ -25,6 +25,7 @@ const std::vector<Keys>& other_keys() {
       {"numerics", {"accuracy", "accuracy_of", "ladder"}},
       {"measure", {"snapshots"}},
       {"search", {"critical", "outcome", "between", "tolerance"}},
+      {"surface", {"of", "tolerance", "budget", "batch"}},
       {"expect", {"outcome", "energy_error", "reason", "why"}},
       {"fit", {"x", "y", "model"}},
       {"gauge", {"name", "of", "point", "place", "beam", "direction", "body", "wall", "contact", "reduce"}},

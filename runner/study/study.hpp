@@ -57,6 +57,18 @@ struct SearchRequest {
   std::string place;     ///< where `between` is said: "studies/a.toml:22:13"
 };
 
+/// A surface through a result, to which the study adds runs where they tell most ([surface]).
+struct SurfaceRequest {
+  std::string of;           ///< a result column, e.g. "collapsibility"
+  double tolerance = 0;     ///< > 0: how far a run may be from the surface
+  bool is_share = true;     ///< of the range of the result in the runs; else in the SI unit of the result
+  std::int64_t budget = 0;  ///< runs at most, those of the design among them
+  std::int64_t batch = 0;   ///< runs of a round, however many workers there are
+  /// Where more runs may be: one scene per place, in the order of their sequence; scenes of the design may be
+  /// among them.
+  std::vector<mpm::Scene> candidates;
+};
+
 /// What a run of the study should come to ([expect]). Only tests/stability looks at it.
 struct Expectation {
   enum class Outcome {
@@ -119,6 +131,7 @@ struct Study {
   std::string material_place;  ///< where the material is named; its constants stand for what is not given
   std::string ladder_place;    ///< where more than one cell is asked for; "": nowhere
   std::optional<SearchRequest> search;
+  std::optional<SurfaceRequest> surface;
   std::vector<FitRequest> fits;
   std::vector<FigureRequest> figures;
   std::optional<Expectation> expectation;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "analysis/next_places.hpp"
+
 namespace {
 
 using namespace analysis;
@@ -129,6 +131,64 @@ TEST(GaussianProcess, PathsAreDrawsOfIt) {
     EXPECT_NEAR(mean, value, 0.2 * deviation + 1e-4) << at;
     EXPECT_NEAR(std::sqrt(square) / deviation, 1, 0.2) << at;
   }
+}
+
+TEST(GaussianProcess, CovarianceIsThatOfItsPaths) {
+  const MatrixXd x = points(12, 1);
+  MatrixXd places(3, 1);
+  places << 0.02, 0.04, 0.97;
+  const GaussianProcess process(x, values(x, [](const VectorXd& p) { return std::sin(9 * p(0)); }));
+  const MatrixXd covariance = process.covariance(places);
+  for (Eigen::Index i = 0; i < 3; ++i)
+    EXPECT_NEAR(std::sqrt(covariance(i, i)), process.at(places.row(i).transpose()).deviation, 1e-9);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  EXPECT_GT(covariance(0, 1), 0.5 * std::sqrt(covariance(0, 0) * covariance(1, 1)))
+      << "neighbours go together";
+  MatrixXd drawn = MatrixXd::Zero(3, 3);
+  constexpr int paths = 2000;
+  for (int k = 0; k < paths; ++k) {
+    const auto path = process.path([&] { return normal(random); }, [&] { return uniform(random); });
+    VectorXd off(3);
+    for (Eigen::Index i = 0; i < 3; ++i)
+      off(i) = path(places.row(i).transpose()) - process.at(places.row(i).transpose()).value;
+    drawn += off * off.transpose() / paths;
+  }
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index j = 0; j < 3; ++j)
+      EXPECT_NEAR(drawn(i, j), covariance(i, j), 0.2 * std::sqrt(covariance(i, i) * covariance(j, j)));
+}
+
+/// Runs leave a gap: it is filled first, nothing is chosen twice, and nobody goes where runs say nothing.
+TEST(NextPlaces, AreWhereNothingIsKnown) {
+  MatrixXd x(12, 1), candidates(101, 1);
+  for (int i = 0; i < 12; ++i) x(i, 0) = i < 6 ? 0.05 * i : 0.75 + 0.05 * (i - 6);
+  for (int i = 0; i <= 100; ++i) candidates(i, 0) = 0.01 * i;
+  const GaussianProcess process(x, values(x, [](const VectorXd& p) { return std::sin(9 * p(0)); }));
+  const auto chosen = next_places(process, candidates, MatrixXd(0, 1), 4);
+  ASSERT_EQ(chosen.size(), 4u);
+  EXPECT_NEAR(candidates(chosen[0], 0), 0.5, 0.1);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_GT(candidates(chosen[k], 0), 0.25);
+    EXPECT_LT(candidates(chosen[k], 0), 0.75);
+    for (std::size_t m = 0; m < k; ++m) EXPECT_GT(std::abs(chosen[k] - chosen[m]), 2);
+  }
+  const auto elsewhere = next_places(process, candidates, candidates.row(chosen[0]), 4);
+  for (const auto place : elsewhere) EXPECT_GT(std::abs(place - chosen[0]), 2);
+  EXPECT_EQ(next_places(process, candidates, MatrixXd(0, 1), 1000).size(), 101u)
+      << "all, if so many are asked for";
+}
+
+/// Of a curve with a jump the runs about it are further off than the surface says of them.
+TEST(NextPlaces, AJumpIsASurprise) {
+  MatrixXd x(40, 1);
+  for (int i = 0; i < 40; ++i) x(i, 0) = (i + 0.5) / 40;
+  const GaussianProcess process(
+      x, values(x, [](const VectorXd& p) { return p(0) < 0.6 ? 0.1 * std::sin(9 * p(0)) : 1.0; }));
+  const double at_jump = process.surprise(VectorXd::Constant(1, 0.6));
+  EXPECT_GT(at_jump, 2);
+  EXPECT_LT(process.surprise(VectorXd::Constant(1, 0.2)), 0.2 * at_jump);
 }
 
 TEST(GaussianProcess, SaysWhyThereIsNone) {

@@ -38,6 +38,19 @@ TEST(Overrides, AddWhatTheFileLeavesOut) {
   EXPECT_EQ(with("snapshots", "[\"1 ns\"]").scenes[0].measures.snapshots, std::vector<double>{1e-9});
 }
 
+/// Two tables have a tolerance: meant is the one that the file has.
+TEST(Overrides, FindTheTableThatTheFileHas) {
+  const std::string sampled = study_text({{"impact_speed", "{ from = 100, to = 400, unit = \"m/s\" }"}},
+                                         "[sweep]\nmode = \"sobol\"\nsamples = 4\nseed = 1\n");
+  const std::string surface = "[surface]\nof = \"collapsibility\"\ntolerance = \"2 %\"\nbudget = 9\n";
+  for (const char* key : {"tolerance", "surface.tolerance"})
+    EXPECT_EQ(with(key, "5 %", sampled + surface).surface->tolerance, 0.05) << key;
+  const std::string search =
+      "[search]\ncritical = \"yield_stress\"\noutcome = \"collapsed\"\nbetween = [\"10 MPa\", \"90 MPa\"]\n"
+      "tolerance = \"1 MPa\"\n";
+  EXPECT_EQ(with("tolerance", "5 MPa", study_text({}, search)).search->tolerance, 5e6);
+}
+
 TEST(Overrides, MaySweep) {
   EXPECT_EQ(with("cavity_radius", "[\"1 um\", \"2 um\"]").scenes.size(), 2u);
   EXPECT_EQ(with("impact_speed", "{ from = 100, to = 200, count = 5, unit = \"m/s\" }").scenes.size(), 5u);
