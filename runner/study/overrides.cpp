@@ -63,8 +63,13 @@ Refusal unknown(std::string_view key) {
   const std::string_view name = key.substr(key.find('.') == key.npos ? 0 : key.find('.') + 1);
   std::vector<std::string_view> all;
   for (const std::string_view table : table_names())
-    if (table != "fit" && table != "figure")
-      for (const std::string_view known : keys_of(table)) all.push_back(known);
+    for (const std::string_view known : keys_of(table)) {
+      if (!is_array_table(table))
+        all.push_back(known);
+      else if (known == name)
+        return {"is a key of [[" + std::string(table) + "]], of which a file may have several",
+                "change it in the file"};
+    }
   const std::string_view near = nearest(name, all);
   if (near.empty()) return {"unknown key", "allowed: " + listed(all)};
   return {"unknown key", "did you mean " + std::string(near) + "?"};

@@ -83,6 +83,8 @@ TEST(Overrides, ErrorsNameThem) {
   EXPECT_THAT(wrong("impact_speed", "200 kg"), StartsWith("--set: impact_speed = \"200 kg\": 'kg' is not"));
   EXPECT_THAT(wrong("impact_sped", "1 m/s"), HasSubstr("did you mean impact_speed?"));
   EXPECT_THAT(wrong("numerics.impact_speed", "1 m/s"), HasSubstr("unknown key"));
+  EXPECT_THAT(wrong("when", "rear > 1 m/s"), HasSubstr("is a key of [[stop]]"));
+  EXPECT_THAT(wrong("figure.log", "x"), HasSubstr("is a key of [[figure]]"));
   EXPECT_THAT(wrong("cavity_radius", "[1, 2"), StartsWith("--set: cavity_radius = [1, 2: not TOML"));
   EXPECT_THAT(wrong("cell_size", "1 um\nscheme = \"gimp\""), StartsWith("--set: "));
 }
