@@ -14,6 +14,7 @@ namespace mpmstudy {
 namespace {
 
 constexpr double wanted_share = 0.9;
+constexpr std::size_t least_of_each = 10;
 constexpr double half_width_90 = 1.6448536269514722;  // over the standard deviation
 
 /// How much larger than the surface says deviations are, by the runs left out; 1 or more.
@@ -44,6 +45,7 @@ SurfaceState surface_state(const Study& study, const std::vector<SurfaceRun>& ru
   const SurfaceRequest& request = *study.surface;
   SurfaceState state;
   state.runs = runs.size();
+  state.least = least_of_each * study.swept.size();
   std::vector<const mpm::Scene*> scenes;
   std::vector<double> values, errors;
   for (const SurfaceRun& run : runs) {
@@ -77,11 +79,12 @@ std::string readable_state(const Study& study, const SurfaceState& state) {
   const mpm::ResultRow* row = mpm::find_result(study.surface->of);
   const std::string si = row ? analysis::with_powers(row->unit) : "1";
   const auto unit = analysis::display_unit(si, state.tolerance);
-  return fmt::format("a run would be within {:.3g}{}{} of it at {:.0f} % of the places, wanted are {:.0f} %",
-                     state.tolerance * unit.factor, unit.text.empty() ? "" : " ", unit.text,
-                     std::floor(100 * state.share), 100 * wanted_share);
+  return fmt::format(
+      "a run would be within {:.3g}{}{} of it at {:.0f} % of the places, wanted are {:.0f} %{}",
+      state.tolerance * unit.factor, unit.text.empty() ? "" : " ", unit.text, std::floor(100 * state.share),
+      100 * wanted_share, state.shown < state.least ? fmt::format(" by {} runs or more", state.least) : "");
 }
 
-bool SurfaceState::holds() const { return failure.empty() && share >= wanted_share; }
+bool SurfaceState::holds() const { return failure.empty() && share >= wanted_share && shown >= least; }
 
 }  // namespace mpmstudy

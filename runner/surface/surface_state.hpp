@@ -24,11 +24,13 @@ Eigen::MatrixXd places_of(const Study&, const std::vector<const mpm::Scene*>&);
 /// surface. That share is what the surface says itself: the mean, over the places, of the probability that a
 /// run there is within the tolerance, by its deviation and the scatter of runs. Where runs that are left out
 /// in turn show the surface too sure of itself, its deviations count as much larger as nine of ten of them
-/// ask for.
+/// ask for. Of fewer than ten runs for each quantity it is not believed: so few do not show how much runs
+/// scatter.
 struct SurfaceState {
   std::size_t runs = 0, shown = 0;  ///< ... of them with the result
   double tolerance = 0;             ///< SI
   double share = 0;                 ///< of the places at which it holds
+  std::size_t least = 0;            ///< runs from which on that is believed
   std::string failure;              ///< why there is no surface; else ""
   std::optional<analysis::GaussianProcess> process;
 

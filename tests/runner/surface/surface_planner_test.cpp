@@ -138,6 +138,13 @@ TEST(SurfacePlanner, EndsWhereTheToleranceHoldsAndItDoes) {
   EXPECT_GE(within, 0.9 * static_cast<double>(scenes.size()));
 }
 
+/// A surface of a few runs is sure of itself before it has seen how they scatter.
+TEST(SurfacePlanner, BelievesNoToleranceBeforeTenRunsOfEachQuantity) {
+  const Study study = read_text(text(sobol, "tolerance = \"40 %\"\nbudget = 100\nbatch = 4"));
+  Oracle oracle(smooth);
+  EXPECT_EQ(keys_of(rounds_of(study, oracle)).size(), 20u);
+}
+
 /// The same number of runs tells more where the planner put them than where the sequence goes on: root mean
 /// square of the error over 1024 places, together of three designs.
 TEST(SurfacePlanner, PutsRunsWhereTheyTellMost) {
