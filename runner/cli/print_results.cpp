@@ -27,7 +27,8 @@ namespace {
 
 constexpr std::int64_t most_rows = 30;  ///< of a table; of more, so many from the start and from the end:
 constexpr std::int64_t first_rows = 25, last_rows = 5;
-constexpr std::size_t most_results = 5;  ///< columns of results
+constexpr std::size_t most_results = 5;   ///< columns of results
+constexpr std::size_t least_results = 3;  ///< that stay where a line is too long
 constexpr int error_digits = 3;
 constexpr const char* mark = "*";  ///< behind what a flag is about; the line below says why
 
@@ -177,7 +178,7 @@ std::vector<std::string> results_of_interest(const Study& study, std::size_t mos
 
 std::string results_text(const Study& study, const std::filesystem::path& results) {
   const StudyResults folder{study.name, results, {}, 0, {}};
-  const auto of_interest = results_of_interest(study, most_results);
+  auto of_interest = results_of_interest(study, most_results);
   const auto count = count_jobs(results, study.name);
   JobRequest request{study.name, study.swept, of_interest};
   request.most = count > most_rows ? first_rows : most_rows;
@@ -188,6 +189,12 @@ std::string results_text(const Study& study, const std::filesystem::path& result
     std::ranges::move(job_rows(results, request), std::back_inserter(rows));
   }
   auto columns = columns_of_rows(study, of_interest, folder, rows);
+  // what no fit and no figure asks for goes before what tells the rows apart
+  const std::size_t asked_for = study.fits.empty() && study.figures.empty() ? 1 : least_results;
+  while (table_columns(columns) > line_columns && of_interest.size() > asked_for) {
+    of_interest.pop_back();
+    columns = columns_of_rows(study, of_interest, folder, rows);
+  }
   const std::string gone = make_narrow(columns, study.swept.size());
   std::string table = text_table(columns);
   if (count > most_rows) {

@@ -35,7 +35,7 @@ std::vector<std::string> results_to_show(const Study& study, const std::vector<s
   constexpr std::size_t most = 3;
   const auto names = results_of_interest(study, most);
   if (names.empty())
-    throw StudyError(study.name + ": say --of RESULT; its file has no fit and no figure of one");
+    throw StudyError(study.name + ": say --of RESULT; its file has no fit, no figure of one and no gauge");
   return names;
 }
 

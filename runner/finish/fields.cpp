@@ -8,8 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/units.hpp"
 #include "libmpm/io/fields.hpp"
 #include "libmpm/scene/build.hpp"
+#include "libmpm/scene/kinds/kind.hpp"
 
 namespace mpmstudy {
 namespace {
@@ -22,6 +24,14 @@ constexpr double reach = 2;
 double edge_of(const mpm::Snapshot& s, std::size_t p) {
   const double volume = s.mass[p] / s.density[p];
   return s.has_depth() ? std::cbrt(volume) : std::sqrt(volume);
+}
+
+/// "z = 1 um", "largest along z"; "" of the slice at z = 0.
+std::string text_of(const FieldView& view) {
+  if (view == FieldView{}) return "";
+  const std::string axis(1, "xyz"[view.axis]);
+  if (view.of == FieldView::Of::slice) return analysis::value_label({"", axis, "m"}, view.at);
+  return (view.of == FieldView::Of::largest ? "largest along " : "mean along ") + axis;
 }
 
 /// The columns across and up of a picture that looks along an axis.
@@ -95,6 +105,17 @@ analysis::ParticleSquares particles_of(const mpm::Snapshot& s, const std::string
     if (several) particles.material.push_back(materials[p]);
   }
   return particles;
+}
+
+FieldPicture picture_of(const FigureRequest& request, const mpm::Scene& scene, const std::string& label) {
+  const mpm::Kind& kind = mpm::kind_of(scene);
+  FieldPicture picture;
+  picture.mirrored = request.view.axis == 0 ? kind.is_half_along_z(scene) : kind.is_half(scene);
+  if (request.view.axis == 0) picture.across = "z";
+  if (request.view.axis == 1) picture.up = "z";
+  for (const std::string& part : {request.title, label, text_of(request.view)})
+    if (!part.empty()) picture.title += (picture.title.empty() ? "" : ", ") + part;
+  return picture;
 }
 
 std::vector<int> materials_of(const mpm::Scene& scene) {

@@ -17,6 +17,15 @@ namespace mpmstudy {
 analysis::ParticleSquares particles_of(const mpm::Snapshot&, const std::string& field,
                                        const std::vector<int>& materials = {}, const FieldView& view = {});
 
+/// How the pictures of one job are shown: with the view in the title, along which axes, and with its image
+/// where that of the axis across is no part of what is modelled.
+struct FieldPicture {
+  std::string title, across = "x", up = "y";
+  bool mirrored = false;
+};
+/// `label`: of the job among those of the study, or "".
+FieldPicture picture_of(const FigureRequest&, const mpm::Scene&, const std::string& label = "");
+
 /// The number of the material of each particle of a scene, in the order of snapshots; empty: it has one
 /// material.
 std::vector<int> materials_of(const mpm::Scene&);

@@ -149,14 +149,6 @@ bool draw_xy(const Study& study, const StudyResults& results, const FigureReques
   return true;
 }
 
-/// Those that say something, one after the other.
-std::string with_commas(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts)
-    if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
-  return text;
-}
-
 /// One figure per group of jobs that differ in more than x and y: NAME, or NAME-1, NAME-2, ...
 std::vector<fs::path> draw_map(const Study& study, const StudyResults& results, const FigureRequest& request,
                                const fs::path& stem) {
@@ -164,7 +156,7 @@ std::vector<fs::path> draw_map(const Study& study, const StudyResults& results, 
   const auto groups = group_jobs(study, results, map_of(study, request.x, request.y));
   for (std::size_t g = 0; g < groups.size(); ++g) {
     analysis::MapPlot map;
-    map.title = with_commas({request.title, groups[g].label});
+    map.title = groups[g].label.empty() ? request.title : request.title + ", " + groups[g].label;
     map.footer = footer_of(study, results);
     map.x = label_of_parameter(study, request.x);
     map.y = label_of_parameter(study, request.y);
@@ -199,13 +191,6 @@ std::vector<analysis::FieldPanel> panels_of(const std::vector<fs::path>& files, 
   return panels;
 }
 
-/// For titles: "z = 1 um", "largest along z".
-std::string text_of(const FieldView& view) {
-  const std::string axis(1, "xyz"[view.axis]);
-  if (view.of == FieldView::Of::slice) return analysis::value_label({"", axis, "m"}, view.at);
-  return (view.of == FieldView::Of::largest ? "largest along " : "mean along ") + axis;
-}
-
 /// One figure per job: NAME, or NAME-1, NAME-2, ... in the order of the sweep.
 std::vector<fs::path> draw_fields(const Study& study, const StudyResults& results,
                                   const FigureRequest& request, const fs::path& stem) {
@@ -214,15 +199,16 @@ std::vector<fs::path> draw_fields(const Study& study, const StudyResults& result
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const JobResults& job = *groups[g].jobs.front();
     analysis::FieldPlot plot;
-    const std::string view = request.view == FieldView{} ? "" : text_of(request.view);
-    plot.title = with_commas({request.title, groups[g].label, view});
-    if (request.view.axis == 0) plot.across = "z";
-    if (request.view.axis == 1) plot.up = "z";
+    FieldPicture picture = picture_of(request, job.scene, groups[g].label);
+    plot.title = std::move(picture.title);
+    plot.across = std::move(picture.across), plot.up = std::move(picture.up);
+    plot.mirrored = picture.mirrored;
     plot.footer = footer_of(study, results);
     plot.value = label_of(request.y);
-    plot.mirrored = mpm::kind_of(job.scene).is_half(job.scene);
     plot.panels = panels_of(snapshots_of(results, job), request.y, job.scene, request.view);
-    if (plot.panels.empty()) continue;
+    // a slice may be beside all material
+    if (std::ranges::all_of(plot.panels, [](const auto& panel) { return panel.particles.x.empty(); }))
+      continue;
     const std::string suffix = groups.size() == 1 ? "" : fmt::format("-{}", g + 1);
     stems.push_back(stem.string() + suffix);
     draw(plot, stems.back());

@@ -62,27 +62,29 @@ std::string reading_of(const fs::path& file) {
 
 /// Snapshots of a job as images of one scale.
 analysis::PageAnimation animation_of(const StudyResults& results, const JobResults& job,
-                                     const std::string& field, const std::string& title) {
+                                     const FigureRequest& figure) {
   constexpr int width = 180;
   analysis::PageAnimation animation;
   std::vector<analysis::ParticleSquares> frames;
   std::vector<double> values, times;
   for (const fs::path& file : snapshots_of(results, job)) {
     const mpm::Snapshot s = mpm::read_vtkhdf(file);
-    frames.push_back(particles_of(s, field));
+    frames.push_back(particles_of(s, figure.y, {}, figure.view));
+    if (frames.back().x.empty()) return {};
     times.push_back(s.time);
     values.insert(values.end(), frames.back().value.begin(), frames.back().value.end());
   }
   if (frames.size() < 3) return {};
   animation.captions = analysis::value_labels(label_of("time"), times);
-  const bool mirrored = mpm::kind_of(job.scene).is_half(job.scene);
+  const FieldPicture picture = picture_of(figure, job.scene);
+  const bool mirrored = picture.mirrored;
   std::vector<const analysis::ParticleSquares*> all;
   for (const auto& frame : frames) all.push_back(&frame);
   const analysis::Window window = analysis::window_of(all, mirrored);
   std::ranges::sort(values);
   const double low = std::min(0.0, values[values.size() / 200]),
                high = values[values.size() - 1 - values.size() / 200];
-  animation.title = title;
+  animation.title = picture.title;
   animation.columns = width;
   animation.rows = std::max(1, static_cast<int>(std::lround(width * window.height() / window.width())));
   for (const auto& frame : frames) {
@@ -99,7 +101,7 @@ analysis::PageAnimation animation_of(const StudyResults& results, const JobResul
       }
     animation.frames.push_back(std::move(pixels));
   }
-  const analysis::QuantityLabel quantity = label_of(field);
+  const analysis::QuantityLabel quantity = label_of(figure.y);
   const analysis::DisplayUnit unit =
       analysis::display_unit(quantity.unit, std::max(std::abs(low), std::abs(high)));
   animation.low = fmt::format("{:.3g}", low * unit.factor);
@@ -156,7 +158,7 @@ analysis::PageSection section_of(const ReportedStudy& reported, const fs::path& 
   for (const FigureRequest& figure : study.figures) {
     if (!row_of(figure.kind).of_snapshots) continue;
     for (const JobResults& job : results.done)
-      if (auto animation = animation_of(results, job, figure.y, figure.title); !animation.frames.empty())
+      if (auto animation = animation_of(results, job, figure); !animation.frames.empty())
         section.animations.push_back(std::move(animation));
   }
   const auto add = [&](analysis::PageTable table) {

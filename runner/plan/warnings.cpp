@@ -182,13 +182,16 @@ class Warnings {
   void short_windows() {
     const auto period = [](const mpm::Scene& s) { return s.measures.area_every; };
     const double longest = period(*std::ranges::max_element(study_.scenes, {}, period));
-    for (const mpm::Gauge& gauge : study_.gauges)
-      for (const mpm::Reduction& one : gauge.reductions)
-        if (one.from < one.to && one.to - one.from < longest * (1 - 1e-9))
-          say("gauges",
-              fmt::format("{}.{} is of {}, and samples are {} apart; write a smaller area_every in "
-                          "[measure]",
-                          gauge.name, one.name, readable(one.to - one.from, "s"), readable(longest, "s")));
+    std::set<std::string> said;  // a window that is an expression is another one in each job
+    for (const mpm::Scene& scene : study_.scenes)
+      for (const mpm::Gauge& gauge : scene.measures.gauges)
+        for (const mpm::Reduction& one : gauge.reductions)
+          if (one.from < one.to && one.to - one.from < longest * (1 - 1e-9) &&
+              said.insert(gauge.name + "." + one.name).second)
+            say("gauges",
+                fmt::format("{}.{} is of {}, and samples are {} apart; write a smaller area_every in "
+                            "[measure]",
+                            gauge.name, one.name, readable(one.to - one.from, "s"), readable(longest, "s")));
   }
 
   bool is_given(std::string_view name) const {

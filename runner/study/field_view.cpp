@@ -59,7 +59,7 @@ FieldView read_field_view(const Table& figure, const FigureKindRow& row, const R
     if (!row.of_snapshots)
       return refuse({"a figure of kind " + std::string(row.word) + " shows no snapshots", "remove it"});
     if (std::ranges::any_of(context.spaces, [](mpm::Space s) { return s != mpm::Space::three_d; }))
-      return refuse({"only jobs in three dimensions have one", "write space = \"three-d\", or remove it"});
+      return refuse({"is of jobs in three dimensions", "write space = \"three-d\", or remove it"});
   }
   if (slice && projection)
     mistakes.add("projection", projection->value, {"is given beside slice", "write two figures"});

@@ -1,5 +1,9 @@
 #include "runner/study/job_number.hpp"
 
+#include <cmath>
+
+#include "runner/study/decimal.hpp"
+
 namespace mpmstudy {
 
 JobNumber::JobNumber(std::string_view key, const Value& value, const Expected& expected,
@@ -38,8 +42,10 @@ std::optional<JobNumber> JobNumber::read_part(std::string_view key, const Value&
 
 std::optional<double> JobNumber::value(const ValueOf& of, Mistakes& mistakes) const {
   if (const double* si = constant()) return *si;
-  return expression_value(place_, key_, written_, std::get<Expression>(number_).value(of), expected_,
-                          mistakes);
+  double si = std::get<Expression>(number_).value(of);
+  // times are compared with each other: two that differ by rounding are one
+  if (expected_.unit == "s" && std::isfinite(si)) si = round_to_12_digits(si);
+  return expression_value(place_, key_, written_, si, expected_, mistakes);
 }
 
 }  // namespace mpmstudy

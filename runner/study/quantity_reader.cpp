@@ -47,7 +47,7 @@ NumberOrExpression read_number_or_expression(std::string_view key, const Value& 
   const std::string* text = value.string();
   // without a parameter in it, too, it may be a sum: "1 um + 2 um"
   const auto is_sum = [&] {
-    return text->find_first_of("+*/(", 1) != std::string::npos &&
+    return text->find_first_of("+-*/^(", 1) != std::string::npos &&
            std::holds_alternative<Expression>(Expression::read(*text, units, known.dimension, known.names));
   };
   if (!text || (names_in(*text).empty() && !is_sum()))

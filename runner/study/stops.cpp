@@ -71,7 +71,7 @@ class StopReader {
 
 std::vector<std::string_view> numbers_of_condition(std::string_view text) {
   const auto sign = text.find_first_of("<>");
-  if (sign == text.npos) return {};
+  if (sign == text.npos || text.substr(sign + 1).starts_with('=')) return {};
   return {trimmed(text.substr(sign + 1))};
 }
 

@@ -26,7 +26,6 @@ struct FitRequest {
   std::string model;  ///< "linear", "quadratic", "power", "exponential"
 };
 
-/// A figure that the study asks for ([[figure]]).
 /// What a figure of fields shows of three axes; of two axes it is the whole.
 struct FieldView {
   enum class Of { slice, largest, mean };
@@ -36,6 +35,7 @@ struct FieldView {
   bool operator==(const FieldView&) const = default;
 };
 
+/// A figure that the study asks for ([[figure]]).
 struct FigureRequest {
   std::string name;  ///< file stem, e.g. "area-of-radius"
   std::string title;

@@ -282,6 +282,10 @@ bool is_half(const Scene& s) {
   return s.composition.low[0] == 0 && s.composition.face(Side::left) == Face::mirror;
 }
 
+bool is_half_along_z(const Scene& s) {
+  return s.composition.low[2] == 0 && s.composition.face(Side::front) == Face::mirror;
+}
+
 std::vector<Part> parts(const Scene& s) {
   std::vector<Part> all;
   for (const ComposedBody& b : s.composition.bodies)
@@ -325,6 +329,7 @@ extern constinit const Kind bodies{
     .coarsest_cell = coarsest_cell,
     .parts = parts,
     .is_half = is_half,
+    .is_half_along_z = is_half_along_z,
     .of_two_axes = in_axes<2>,
     .of_three_axes = in_axes<3>,
 };

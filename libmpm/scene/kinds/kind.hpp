@@ -86,6 +86,7 @@ struct Kind {
   double (*parting_time)(const Scene&) = never;
   /// Whether what lies at x < 0 is the image of what is modelled.
   bool (*is_half)(const Scene&) = is_half_by_choice;
+  bool (*is_half_along_z)(const Scene&) = is_half_by_choice;  ///< the same at z < 0; of three axes
   KindIn<2> of_two_axes;
   KindIn<3> of_three_axes = {};
 

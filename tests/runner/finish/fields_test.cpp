@@ -64,4 +64,30 @@ TEST(FieldFigures, ShowWhatIsSeenAlongAnAxis) {
   EXPECT_THAT(mean.value, ElementsAre(10.5, 12));  // by volume
 }
 
+TEST(FieldFigures, SayTheirViewAndAreMirroredWhereItsAxisIs) {
+  using mpmstudy::FieldView;
+  mpm::Scene scene;
+  scene.kind = mpm::SceneKind::bodies, scene.space = mpm::Space::three_d;
+  scene.composition.low = {0, 0, -1};
+  scene.composition.faces[static_cast<std::size_t>(mpm::Side::left)] = mpm::Face::mirror;
+  mpmstudy::FigureRequest request;
+  request.title = "Pressure";
+  auto picture = picture_of(request, scene, "200 m/s");
+  EXPECT_EQ(picture.title, "Pressure, 200 m/s");
+  EXPECT_TRUE(picture.mirrored);
+  request.view = {.axis = 0, .at = 1e-6};
+  picture = picture_of(request, scene);
+  EXPECT_THAT(picture.title, testing::StartsWith("Pressure, x = 1"));
+  EXPECT_EQ(picture.across + picture.up, "zy");
+  EXPECT_FALSE(picture.mirrored);  // z = 0 is no mirror
+  scene.composition.low = {-1, 0, 0};
+  scene.composition.faces[static_cast<std::size_t>(mpm::Side::front)] = mpm::Face::mirror;
+  EXPECT_TRUE(picture_of(request, scene).mirrored);
+  request.title = "", request.view = {.of = FieldView::Of::mean, .axis = 1};
+  picture = picture_of(request, scene);
+  EXPECT_EQ(picture.title, "mean along y");
+  EXPECT_EQ(picture.across + picture.up, "xz");
+  EXPECT_FALSE(picture.mirrored);
+}
+
 }  // namespace

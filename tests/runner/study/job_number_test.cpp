@@ -30,21 +30,28 @@ TEST(NumbersOfJobs, FollowTheParametersOfEachJob) {
   ASSERT_EQ(study.scenes.size(), 2u);
   for (const mpm::Scene& scene : study.scenes) {
     const double arrival = 6e-6 / (5000 + scene.impact_speed);
-    using testing::DoubleEq;
+    const auto close = [](double time) { return testing::DoubleNear(time, 1e-11 * time); };  // 12 digits
     EXPECT_THAT(scene.measures.snapshots,
-                ElementsAre(DoubleEq(1e-9), DoubleEq(arrival), DoubleEq(2 * arrival + 0.5e-9)));
+                ElementsAre(close(1e-9), close(arrival), close(2 * arrival + 0.5e-9)));
     const mpm::Gauge& gauge = scene.measures.gauges.at(0);
     ASSERT_EQ(gauge.reductions.size(), 3u);
     EXPECT_EQ(gauge.reductions[0].name, "plateau");
-    EXPECT_DOUBLE_EQ(gauge.reductions[0].from, arrival);
-    EXPECT_DOUBLE_EQ(gauge.reductions[0].to, arrival + 1e-9);
+    EXPECT_THAT(gauge.reductions[0].from, close(arrival));
+    EXPECT_THAT(gauge.reductions[0].to, close(arrival + 1e-9));
     EXPECT_DOUBLE_EQ(gauge.reductions[1].from, 3e-9);
-    EXPECT_DOUBLE_EQ(gauge.reductions[2].from, 2 * arrival);
+    EXPECT_THAT(gauge.reductions[2].from, close(2 * arrival));
     EXPECT_EQ(gauge.reductions[2].from, gauge.reductions[2].to);
     ASSERT_EQ(gauge.stops.size(), 1u);
     EXPECT_DOUBLE_EQ(gauge.stops[0].value, 1.5 * scene.impact_speed);
-    EXPECT_DOUBLE_EQ(gauge.stops[0].after, arrival);
+    EXPECT_THAT(gauge.stops[0].after, close(arrival));
   }
+}
+
+TEST(NumbersOfJobs, AreTheSameTimeWhereTheyDifferByRounding) {
+  const Study study = read_text(study_text({{"end_time", "\"4 ns\""}, {"t0", "\"1 ns\""}},
+                                           "[measure]\nsnapshots = [\"t0\", \"0.1*t0 + 0.2*t0 + 0.7*t0\", "
+                                           "\"3 ns - 1 ns\", \"0.1*end_time*3*(10/3)\"]\n"));
+  EXPECT_THAT(study.scenes.at(0).measures.snapshots, ElementsAre(1e-9, 2e-9, 4e-9));
 }
 
 TEST(NumbersOfJobs, SayWhatIsWrongWithThem) {
