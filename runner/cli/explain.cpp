@@ -190,7 +190,8 @@ std::string verdict(const StoredJob& job) {
 }
 
 /// The job with the fewest other parameters among those that were there before.
-const StoredJob* nearest(const std::vector<StoredJob>& all, const mpm::Scene& scene, std::int64_t before) {
+const StoredJob* nearest_job(const std::vector<StoredJob>& all, const mpm::Scene& scene,
+                             std::int64_t before) {
   const StoredJob* best = nullptr;
   std::size_t fewest = 0;
   for (const auto& other : all) {
@@ -205,7 +206,7 @@ const StoredJob* nearest(const std::vector<StoredJob>& all, const mpm::Scene& sc
 
 void print_news(const std::vector<StoredJob>& all, const mpm::Scene& scene, std::int64_t order,
                 const std::optional<Wanted>& wanted) {
-  const StoredJob* other = nearest(all, scene, order);
+  const StoredJob* other = nearest_job(all, scene, order);
   if (!other) {
     fmt::print("its key was new: the catalog had no job of this kind\n");
     return;
