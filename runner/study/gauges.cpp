@@ -111,7 +111,7 @@ class GaugeReader {
     }
     request_.gauge.place.resize(list->size());
     for (std::size_t axis = 0; axis < list->size(); ++axis)
-      if (auto number = JobNumber::read(key, (*list)[axis], {"m"}, units_, known_, mistakes_))
+      if (auto number = JobQuantity::read(key, (*list)[axis], {"m"}, units_, known_, mistakes_))
         request_.take(std::move(*number), [axis](mpm::Gauge& gauge, double si) { gauge.place[axis] = si; });
   }
 
@@ -152,8 +152,8 @@ class GaugeReader {
       return mistakes_.add(entry.key, entry.value, {"not a reduction", allowed_reduction});
     request_.gauge.reductions.push_back({entry.key, *window, 0, 0});
     const auto take = [&](std::string_view time, double mpm::Reduction::*of) {
-      auto number = JobNumber::read_part(entry.key, entry.value, time, {"s", mpm::Range::non_negative},
-                                         units_, known_, mistakes_);
+      auto number = JobQuantity::read_part(entry.key, entry.value, time, {"s", mpm::Range::non_negative},
+                                           units_, known_, mistakes_);
       if (number)
         request_.take(std::move(*number), [name = entry.key, of](mpm::Gauge& gauge, double si) {
           (*std::ranges::find(gauge.reductions, name, &mpm::Reduction::name)).*of = si;
@@ -178,7 +178,7 @@ class GaugeReader {
 
 }  // namespace
 
-void GaugeRequest::take(JobNumber number, std::function<void(mpm::Gauge&, double)> set) {
+void GaugeRequest::take(JobQuantity number, std::function<void(mpm::Gauge&, double)> set) {
   if (const double* si = number.constant())
     set(gauge, *si);
   else

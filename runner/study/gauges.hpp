@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libmpm/scene/gauge.hpp"
-#include "runner/study/job_number.hpp"
+#include "runner/study/job_quantity.hpp"
 #include "runner/study/mistakes.hpp"
 #include "runner/study/units.hpp"
 
@@ -25,13 +25,13 @@ struct GaugeRequest {
   std::map<std::string, Written> keys;
   /// A number of the gauge that is an expression, and what it is a number of.
   struct OfJob {
-    JobNumber number;
+    JobQuantity number;
     std::function<void(mpm::Gauge&, double si)> set;
   };
   std::vector<OfJob> of_job;
 
   /// A number of the gauge: set now where it is the same in every job, else job by job.
-  void take(JobNumber, std::function<void(mpm::Gauge&, double si)> set);
+  void take(JobQuantity, std::function<void(mpm::Gauge&, double si)> set);
   /// Gives the gauge of one job its numbers, and sorts its stops.
   void value_in(mpm::Gauge&, const ValueOf&, Mistakes&) const;
 };

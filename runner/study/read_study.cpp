@@ -252,8 +252,8 @@ class Reader {
       return;
     }
     for (const Value& value : *list)
-      if (auto time = JobNumber::read("snapshots", value, {"s", mpm::Range::non_negative}, units_,
-                                      own_->known(mistakes_), mistakes_))
+      if (auto time = JobQuantity::read("snapshots", value, {"s", mpm::Range::non_negative}, units_,
+                                        own_->known(mistakes_), mistakes_))
         request_.snapshots.push_back(std::move(*time));
   }
 

@@ -39,7 +39,7 @@ mpm::Scene base_scene(const SceneRequest& request) {
 /// The times of the snapshots of one job, in the order of the request.
 std::vector<double> snapshot_times(const SceneRequest& request, const ValueOf& value, Mistakes& mistakes) {
   std::vector<double> times;
-  for (const JobNumber& one : request.snapshots) times.push_back(one.value(value, mistakes).value_or(0));
+  for (const JobQuantity& one : request.snapshots) times.push_back(one.value(value, mistakes).value_or(0));
   return times;
 }
 

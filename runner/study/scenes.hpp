@@ -18,8 +18,8 @@ namespace mpmstudy {
 /// Everything that a study says about its scenes.
 struct SceneRequest {
   mpm::SceneKind kind{};
-  std::vector<Axis> axes;            ///< in the order of the file
-  std::vector<JobNumber> snapshots;  ///< [s]
+  std::vector<Axis> axes;              ///< in the order of the file
+  std::vector<JobQuantity> snapshots;  ///< [s]
   std::vector<GaugeRequest> gauges;
   bool seeks_ejection =
       false;           ///< of a [search]: runs decide ejection and end then, unless the file says more

@@ -37,11 +37,11 @@ class StopReader {
     const std::size_t at = gauge->gauge.stops.size();
     gauge->gauge.stops.push_back({.below = text[sign] == '<'});
     if (auto value =
-            JobNumber::read_part("when", condition, numbers.front(), {unit}, units_, known_, mistakes_))
+            JobQuantity::read_part("when", condition, numbers.front(), {unit}, units_, known_, mistakes_))
       gauge->take(std::move(*value), [at](mpm::Gauge& g, double si) { g.stops[at].value = si; });
     if (const Entry* after = table.find("after")) {
-      if (auto time = JobNumber::read("after", after->value, {"s", mpm::Range::non_negative}, units_, known_,
-                                      mistakes_))
+      if (auto time = JobQuantity::read("after", after->value, {"s", mpm::Range::non_negative}, units_,
+                                        known_, mistakes_))
         gauge->take(std::move(*time), [at](mpm::Gauge& g, double si) { g.stops[at].after = si; });
       gauge->keys["after"] = {after->value.place, after->value.written()};
     }

@@ -9,14 +9,15 @@
 
 namespace mpmstudy {
 
-class JobNumber {
+class JobQuantity {
  public:
   /// "2 ns", a plain number where the unit is "1", or an expression. Empty after adding a mistake.
-  static std::optional<JobNumber> read(std::string_view key, const Value&, const Expected&, const Units&,
-                                       const KnownParameters&, Mistakes&);
+  static std::optional<JobQuantity> read(std::string_view key, const Value&, const Expected&, const Units&,
+                                         const KnownParameters&, Mistakes&);
   /// The same of a part of a text: of "mean 1 ns to 3 ns", "rear > limit".
-  static std::optional<JobNumber> read_part(std::string_view key, const Value& whole, std::string_view part,
-                                            const Expected&, const Units&, const KnownParameters&, Mistakes&);
+  static std::optional<JobQuantity> read_part(std::string_view key, const Value& whole, std::string_view part,
+                                              const Expected&, const Units&, const KnownParameters&,
+                                              Mistakes&);
 
   const Place& place() const { return place_; }
   const std::string& written() const { return written_; }
@@ -26,9 +27,9 @@ class JobNumber {
   std::optional<double> value(const ValueOf& of, Mistakes&) const;
 
  private:
-  static std::optional<JobNumber> read(std::string_view key, const Value&, const Value& whole,
-                                       const Expected&, const Units&, const KnownParameters&, Mistakes&);
-  JobNumber(std::string_view key, const Value&, const Expected&, std::variant<double, Expression>);
+  static std::optional<JobQuantity> read(std::string_view key, const Value&, const Value& whole,
+                                         const Expected&, const Units&, const KnownParameters&, Mistakes&);
+  JobQuantity(std::string_view key, const Value&, const Expected&, std::variant<double, Expression>);
 
   Place place_;
   std::string key_, written_;
